@@ -1,0 +1,31 @@
+# deformlab_layer(NAME PUBLIC ... PRIVATE ...): the static library of one folder.
+# Every .cc in the folder is compiled, so a new file needs no line here.
+
+add_library(deformlab_flags INTERFACE)
+target_compile_features(deformlab_flags INTERFACE cxx_std_20)
+target_compile_options(deformlab_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow
+  $<$<BOOL:${DEFORMLAB_NATIVE}>:-march=native>)
+if(DEFORMLAB_SANITIZE)
+  add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${DEFORMLAB_SANITIZE})
+endif()
+
+function(deformlab_layer name)
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cc)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.h)
+  add_library(deformlab_${name} STATIC ${sources} ${headers})
+  add_library(deformlab::${name} ALIAS deformlab_${name})
+  set_target_properties(deformlab_${name} PROPERTIES EXPORT_NAME ${name}
+                        POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(deformlab_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/deformlab>)
+  target_compile_features(deformlab_${name} PUBLIC cxx_std_20)
+  target_link_libraries(deformlab_${name} PUBLIC ${ARG_PUBLIC}
+                        PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:deformlab_flags>)
+  install(TARGETS deformlab_${name} EXPORT deformlabTargets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/deformlab/${name})
+endfunction()

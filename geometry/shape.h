@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace deformlab {
+
+/// Anything that is given by points in space: a mesh, a polygon soup, a point set.
+/// No connectivity is assumed: faces may be missing, repeated, non-manifold, of any size.
+struct Shape {
+  Eigen::Matrix3Xd V;                   ///< 3×#V positions v_i [length], in the file's order
+  Eigen::Matrix3Xd N;                   ///< 3×#V unit normals n_i, or 3×0 where there are none
+  std::vector<std::vector<int>> faces;  ///< polygons as lists of vertex indices; empty: a point set
+};
+
+/// Throws InputError where the shape has no vertices, a coordinate is NaN or infinite (naming the
+/// vertex), a face names a vertex that does not exist, or N is neither empty nor 3×#V.
+/// `name` is what the message calls the shape, usually its path.
+void check(const Shape& shape, const std::string& name);
+
+/// The faces cut into triangles, as fans around each face's first corner: 3×#T vertex indices.
+/// Faces of fewer than three corners give none.
+Eigen::Matrix3Xi triangles(const Shape& shape);
+
+/// 3×#V unit normals: the area-weighted mean of the triangles around each vertex. A vertex without
+/// a triangle of positive area gets the zero vector.
+Eigen::Matrix3Xd vertex_normals(const Shape& shape);
+
+/// Length of the diagonal of the axis-aligned bounding box [length].
+double bounding_box_diagonal(const Eigen::Matrix3Xd& V);
+
+}  // namespace deformlab
