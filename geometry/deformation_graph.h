@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/embedding.h"
+#include "geometry/shape.h"
+
+namespace deformlab {
+
+/// How a deformation graph is made (Sumner et al. 2007, section 3).
+struct GraphOptions {
+  int nodes = 300;                ///< m, met exactly
+  int neighbors = 4;              ///< k of Eq. 4; the paper uses 4, and 8 in Figure 5 (d)
+  std::string alpha = "uniform";  ///< α_jk of Eq. 7: uniform (1, the paper's) | overlap
+  std::uint64_t seed = 1;         ///< of the sampling: another seed draws other nodes
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("nodes", o.nodes, "number of graph nodes m, met exactly");
+    visit("neighbors", o.neighbors, "nodes that each vertex follows, k of Eq. 4");
+    visit.choice("alpha", o.alpha, {"uniform", "overlap"},
+                 "weight of an edge in Eq. 7: 1, or in proportion to the overlap of influence");
+    visit("seed", o.seed, "of the node sampling");
+  }
+};
+
+/// Undirected edge between two nodes that influence a common vertex; Eq. 7 takes it both ways.
+struct GraphEdge {
+  int j, k;      ///< j < k
+  double alpha;  ///< α_jk, of mean one over all edges
+};
+
+/// Nodes with a place at rest, and the edges over which their transformations must agree.
+struct DeformationGraph {
+  Eigen::Matrix3Xd g;            ///< 3×m node positions g_j [length]
+  std::vector<GraphEdge> edges;  ///< sorted by (j, k), each once
+};
+
+/// Joins every two of the nodes `g` (3×m) that influence a common point of `embedding`, and weighs
+/// the edges as `alpha` says: "uniform", or "overlap" for Σ_i w_j(v_i) w_k(v_i).
+DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
+                         const std::string& alpha = "uniform");
+
+/// Mean length of an edge [length]; without edges the diagonal of the nodes' bounding box, and for
+/// a single point 1: the unit that E_reg and E_con are measured in by default.
+double mean_edge_length(const DeformationGraph& graph);
+
+/// The connected component of each node, numbered from 0 in the order of their first nodes.
+std::vector<int> components(const DeformationGraph& graph);
+
+}  // namespace deformlab

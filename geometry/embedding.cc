@@ -1,0 +1,68 @@
+#include "geometry/embedding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nanoflann.hpp>
+#include <string>
+
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+// In place: distances to the k+1 nearest nodes become the k weights of Eq. 4.
+void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k) {
+  const double d_max = distances[k];
+  auto w = distances.head(k);
+  if (d_max > 0) w = (1 - w.array() / d_max).square();
+  const double sum = w.sum();
+  if (d_max > 0 && sum > 0) {
+    w /= sum;
+  } else {
+    w.setConstant(1.0 / k);
+  }
+}
+
+}  // namespace
+
+Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
+  if (g.cols() == 0) throw InputError("a deformation graph without nodes can deform nothing");
+  if (k < 1 || k > kMaxNeighbors) {
+    throw InputError("graph.neighbors is " + std::to_string(k) + "; allowed are 1 to " +
+                     std::to_string(kMaxNeighbors) + " (the paper uses 4)");
+  }
+  const int m = static_cast<int>(g.cols());
+  const int n = static_cast<int>(v.cols());
+  const int nearest = std::min(k + 1, m);
+  k = std::max(1, nearest - 1);
+  Embedding result{v, Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
+
+  using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
+  const Tree tree(3, g);
+  Eigen::VectorXd distances(k + 1);
+  Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1> found(k + 1);
+  for (int i = 0; i < n; ++i) {
+    tree.query(v.col(i).data(), nearest, found.data(), distances.data());
+    distances.head(nearest) = distances.head(nearest).cwiseSqrt();
+    if (nearest == k) distances[k] = 2 * distances[0] + 1;  // the only node: any d_max gives 1
+    weigh(distances, k);
+    result.nodes.col(i) = found.head(k).cast<int>();
+    result.weights.col(i) = distances.head(k);
+  }
+  return result;
+}
+
+Embedding subset(const Embedding& embedding, std::span<const int> indices) {
+  const auto n = static_cast<Eigen::Index>(indices.size());
+  const Eigen::Index k = embedding.nodes.rows();
+  Embedding result{Eigen::Matrix3Xd(3, n), Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
+  for (Eigen::Index l = 0; l < n; ++l) {
+    const int i = indices[static_cast<std::size_t>(l)];
+    result.v.col(l) = embedding.v.col(i);
+    result.nodes.col(l) = embedding.nodes.col(i);
+    result.weights.col(l) = embedding.weights.col(i);
+  }
+  return result;
+}
+
+}  // namespace deformlab

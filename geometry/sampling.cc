@@ -1,0 +1,150 @@
+#include "geometry/sampling.h"
+
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/point_generators_3.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nanoflann.hpp>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
+
+constexpr int kDensity = 30;       // dense points for each node that was asked for
+constexpr int kFewestDense = 10000;
+constexpr int kMostPasses = 100;   // of the search for the radius
+
+double area(const Shape& shape, const Eigen::Matrix3Xi& T) {
+  double sum = 0;
+  for (const auto t : T.colwise()) {
+    const Eigen::Vector3d a = shape.V.col(t[1]) - shape.V.col(t[0]);
+    const Eigen::Vector3d b = shape.V.col(t[2]) - shape.V.col(t[0]);
+    sum += a.cross(b).norm() / 2;
+  }
+  return sum;
+}
+
+Eigen::Matrix3Xd points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi& T, int count,
+                                     std::uint64_t seed) {
+  std::vector<Kernel::Point_3> points;
+  for (const auto v : shape.V.colwise()) points.emplace_back(v[0], v[1], v[2]);
+  std::vector<std::array<std::size_t, 3>> corners;
+  for (const auto t : T.colwise()) {
+    corners.push_back({std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2])});
+  }
+  CGAL::Random random(static_cast<unsigned>(seed ^ (seed >> 32)));
+  CGAL::Random_points_in_triangle_soup<std::vector<Kernel::Point_3>, std::array<std::size_t, 3>,
+                                       CGAL::Creator_uniform_3<double, Kernel::Point_3>>
+      next(corners, points, random);
+  Eigen::Matrix3Xd result(3, count);
+  for (int i = 0; i < count; ++i, ++next) result.col(i) << next->x(), next->y(), next->z();
+  return result;
+}
+
+// The points of which no other is near yet, taken in a random order: those that remain when each
+// chosen point removes all within radius r.
+class Elimination {
+ public:
+  Elimination(const Eigen::Matrix3Xd& points, std::uint64_t seed)
+      : points_(points), tree_(3, points_), order_(points.cols()) {
+    std::iota(order_.begin(), order_.end(), Eigen::Index{0});
+    std::mt19937_64 random(seed);
+    std::shuffle(order_.begin(), order_.end(), random);
+  }
+
+  std::vector<Eigen::Index> remaining(double r) const {
+    std::vector<char> removed(order_.size(), 0);
+    std::vector<Eigen::Index> kept;
+    std::vector<std::pair<Eigen::Index, double>> near;
+    nanoflann::SearchParams unsorted;
+    unsorted.sorted = false;
+    for (const Eigen::Index i : order_) {
+      if (removed[i]) continue;
+      kept.push_back(i);
+      // Squared distances, compared strictly: the least positive number still removes copies.
+      const double reach = std::max(r * r, std::numeric_limits<double>::min());
+      tree_.index->radiusSearch(points_.col(i).data(), reach, near, unsorted);
+      for (const auto& [other, distance] : near) removed[other] = 1;
+    }
+    return kept;
+  }
+
+ private:
+  const Eigen::Matrix3Xd& points_;
+  Tree tree_;
+  std::vector<Eigen::Index> order_;
+};
+
+Eigen::Matrix3Xd pick(const Eigen::Matrix3Xd& points, const std::vector<Eigen::Index>& indices) {
+  return points(Eigen::all, indices);
+}
+
+// Drops the points that crowd their nearest neighbour most until m remain.
+void thin_out(Eigen::Matrix3Xd& g, int m) {
+  std::vector<Eigen::Index> kept(g.cols());
+  std::iota(kept.begin(), kept.end(), Eigen::Index{0});
+  while (static_cast<int>(kept.size()) > m) {
+    std::size_t crowded = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < kept.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        const double distance = (g.col(kept[a]) - g.col(kept[b])).squaredNorm();
+        if (distance < least) least = distance, crowded = a;
+      }
+    }
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(crowded));
+  }
+  g = pick(g, kept);
+}
+
+// Searches the radius at which m points remain. Their number falls about as r⁻² on a surface; that
+// guess is taken while it stays within the bracket, which is halved otherwise.
+Eigen::Matrix3Xd eliminate_to(const Eigen::Matrix3Xd& dense, int m, double guess,
+                              std::uint64_t seed) {
+  const Elimination elimination(dense, seed);
+  std::vector<Eigen::Index> best = elimination.remaining(0);
+  if (static_cast<int>(best.size()) < m) {
+    throw InputError("graph.nodes is " + std::to_string(m) + ", but the shape has only " +
+                     std::to_string(best.size()) + " distinct points to place nodes at");
+  }
+  double low = 0, high = std::numeric_limits<double>::infinity(), r = guess;
+  for (int pass = 0; pass < kMostPasses && static_cast<int>(best.size()) != m; ++pass) {
+    const auto kept = elimination.remaining(r);
+    const int count = static_cast<int>(kept.size());
+    (count >= m ? low : high) = r;
+    if (count >= m && count <= static_cast<int>(best.size())) best = kept;
+    const double scaled = r * std::sqrt(static_cast<double>(count) / m);
+    const bool inside = pass < kMostPasses / 4 && scaled > low && scaled < high;
+    r = inside ? scaled : std::isinf(high) ? 2 * low : (low + high) / 2;
+  }
+  Eigen::Matrix3Xd g = pick(dense, best);
+  thin_out(g, m);
+  return g;
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed) {
+  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
+  const Eigen::Matrix3Xi T = triangles(shape);
+  const double surface = area(shape, T);
+  const int count = std::max(kDensity * m, kFewestDense);
+  const Eigen::Matrix3Xd dense = surface > 0 ? points_on_triangles(shape, T, count, seed) : shape.V;
+  const double extent = surface > 0 ? surface : std::pow(bounding_box_diagonal(shape.V), 2);
+  return eliminate_to(dense, m, std::sqrt(extent > 0 ? extent / m : 1), seed);
+}
+
+}  // namespace deformlab
