@@ -1,0 +1,15 @@
+# Unpacks the meshes of Debian's libcgal-demo and sets DEFORMLAB_SHAPES_DIR to their folder.
+set(DEFORMLAB_SHAPES_DIR ${PROJECT_BINARY_DIR}/shapes)
+file(GLOB archives /usr/share/doc/libcgal-*/data.tar.gz
+     ${PROJECT_SOURCE_DIR}/build/libcgal-demo/data.tar.gz)
+if(NOT EXISTS ${DEFORMLAB_SHAPES_DIR} AND archives)
+  list(GET archives 0 archive)
+  message(STATUS "Unpacking the meshes of ${archive}")
+  set(unpacked ${PROJECT_BINARY_DIR}/shapes_unpacking)
+  file(ARCHIVE_EXTRACT INPUT ${archive} DESTINATION ${unpacked} PATTERNS data/meshes)
+  file(RENAME ${unpacked}/data/meshes ${DEFORMLAB_SHAPES_DIR})
+  file(REMOVE_RECURSE ${unpacked})
+endif()
+if(NOT EXISTS ${DEFORMLAB_SHAPES_DIR})
+  message(STATUS "No packaged meshes: install libcgal-demo to run the configs that deform them")
+endif()

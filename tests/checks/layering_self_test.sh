@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Plants includes in a copy of the folders and sees that layering.sh tells upward from downward.
+set -euo pipefail
+
+check=$(dirname -- "${BASH_SOURCE[0]}")/layering.sh
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+mkdir "$root"/{geometry,energies,solvers,deformers,experiments}
+
+expect() {  # expect pass|reject FILE INCLUDE
+  printf '#include %s\n' "$3" >"$root/$2"
+  if bash "$check" "$root" >/dev/null 2>&1; then verdict=pass; else verdict=reject; fi
+  rm "$root/$2"
+  [[ $verdict == "$1" ]] || { echo "$2 including $3: $verdict, expected $1" && exit 1; }
+}
+
+expect pass geometry/a.h '<Eigen/Core>'
+expect pass energies/a.h '"geometry/shape.h"'
+expect pass experiments/a.cc '"deformers/deformer.h"'
+expect pass solvers/a.cc '"solvers/stage.h"'
+expect reject geometry/a.h '"energies/energy.h"'
+expect reject geometry/a.cc '<experiments/config.h>'
+expect reject energies/a.cc '"../solvers/stage.h"'
+expect reject solvers/a.h '  "deformers/deformer.h"'
+expect reject deformers/a.cc '"experiments/config.h"'
