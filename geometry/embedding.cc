@@ -37,7 +37,8 @@ Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   k = std::max(1, nearest - 1);
   Embedding result{v, Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
 
-  using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
+  using Tree =
+      nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
   const Tree tree(3, g);
   Eigen::VectorXd distances(k + 1);
   Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1> found(k + 1);

@@ -23,9 +23,9 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
 
-constexpr int kDensity = 30;       // dense points for each node that was asked for
+constexpr int kDensity = 30;  // dense points for each node that was asked for
 constexpr int kFewestDense = 10000;
-constexpr int kMostPasses = 100;   // of the search for the radius
+constexpr int kMostPasses = 100;  // of the search for the radius
 
 double area(const Shape& shape, const Eigen::Matrix3Xi& T) {
   double sum = 0;

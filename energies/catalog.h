@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "energies/energy.h"
+#include "geometry/deformation_graph.h"
+
+namespace deformlab {
+
+/// A registered energy term (energies/all.h), as configs and error messages know it.
+struct EnergyInfo {
+  std::string name;
+  Structure structure;
+  double default_weight;  ///< where a config does not name it
+};
+
+/// Every registered term, in the order of the list.
+const std::vector<EnergyInfo>& known_energies();
+
+/// The named term, summed over a graph and its handles. `handles` are embedded in the same graph,
+/// in the same unit of length. Throws InputError for an unknown name.
+std::unique_ptr<Energy> make_energy(std::string_view name, const DeformationGraph& graph,
+                                    const Embedding& handles);
+
+}  // namespace deformlab

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+
+#include "energies/term.h"
+
+namespace deformlab {
+
+/// Sumner et al. 2007, Eq. 8, one handle: where Eq. 2 takes the vertex, against where it should be.
+struct Constraint {
+  static constexpr std::string_view kName = "constraint";
+  static constexpr Structure kStructure = Structure::kSeparable;
+  static constexpr double kWeight = 100;
+  static constexpr bool kZeroAtRest = true;
+
+  Eigen::Vector3d v, q;                          ///< at rest, and the target [length]
+  std::array<double, kMaxNeighbors> w;           ///< w_j(v)
+  std::array<Eigen::Vector3d, kMaxNeighbors> g;  ///< g_j [length]
+  int index;                                     ///< l: the column of its target
+
+  template <class T>
+  Vector3<T> operator()(std::span<const Affine<T>> nodes) const {
+    Vector3<T> r = -q.cast<T>();
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      r += w[j] * (nodes[j].R * (v - g[j]) + g[j] + nodes[j].t);
+    }
+    return r;
+  }
+
+  void aim(const Eigen::Matrix3Xd& targets) { q = targets.col(index); }
+
+  /// All handles; until they are aimed they stay where they are.
+  static Terms<Constraint> over(const DeformationGraph& graph, const Embedding& handles) {
+    Terms<Constraint> sum{.arity = static_cast<int>(handles.nodes.rows())};
+    for (int l = 0; l < handles.v.cols(); ++l) {
+      const auto nodes = handles.nodes.col(l);
+      Constraint c{handles.v.col(l), handles.v.col(l), {}, {}, l};
+      for (int j = 0; j < sum.arity; ++j) {
+        c.w[j] = handles.weights(j, l);
+        c.g[j] = graph.g.col(nodes[j]);
+      }
+      sum.add(c, std::span(nodes.data(), nodes.size()));
+    }
+    return sum;
+  }
+};
+
+}  // namespace deformlab

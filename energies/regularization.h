@@ -1,0 +1,34 @@
+#pragma once
+
+#include "energies/term.h"
+
+namespace deformlab {
+
+/// Sumner et al. 2007, Eq. 7, one directed edge j → k: node j predicts where node k goes.
+struct Regularization {
+  static constexpr std::string_view kName = "regularization";
+  static constexpr Structure kStructure = Structure::kSeparable;
+  static constexpr double kWeight = 10;
+  static constexpr bool kZeroAtRest = true;
+  static constexpr bool kRigidlyInvariant = true;
+
+  Eigen::Vector3d g_jk;  ///< g_k − g_j at rest [length]
+
+  template <class T>
+  Vector3<T> operator()(const Affine<T>& j, const Affine<T>& k) const {
+    return j.R * g_jk - g_jk + j.t - k.t;
+  }
+
+  /// Both directions of every edge, each weighted by α_jk.
+  static Terms<Regularization> over(const DeformationGraph& graph) {
+    Terms<Regularization> sum{.arity = 2};
+    for (const auto& [j, k, alpha] : graph.edges) {
+      const Eigen::Vector3d g_jk = graph.g.col(k) - graph.g.col(j);
+      sum.add({g_jk}, {j, k}, alpha);
+      sum.add({-g_jk}, {k, j}, alpha);
+    }
+    return sum;
+  }
+};
+
+}  // namespace deformlab

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "energies/energy.h"
+#include "geometry/deformation_graph.h"
+
+namespace deformlab {
+
+template <class T>
+using Vector3 = Eigen::Matrix<T, 3, 1>;
+template <class T>
+using Vector6 = Eigen::Matrix<T, 6, 1>;
+template <class T>
+using Matrix3 = Eigen::Matrix<T, 3, 3>;
+
+/// The transformation of one graph node (Sumner et al. 2007, Eq. 1).
+template <class T>
+struct Affine {
+  Matrix3<T> R;
+  Vector3<T> t;  ///< [length]
+};
+
+/// The elements of one term and the nodes that each of them reads: the Σ of the paper.
+///
+/// A term is a struct of one element's data with a call operator, a template over the scalar, that
+/// returns the residual as a vector of fixed size. What the operator takes says what it reads:
+///   const Affine<T>&                 all of a graph node
+///   const Matrix3<T>&                its linear part R_j alone
+///   const Vector<T, d>&              a vertex
+///   std::span<const Affine<T>>       any number of nodes, the same for each element
+/// Beside it stand kName, kStructure and `over`, which makes the sum. Optional members:
+///   kWeight       its weight where a config names none (else 0: off until a config asks for it)
+///   kZeroAtRest, kRigidlyInvariant   laws that hold for it, and are then tested
+///   jacobian      in place of automatic differentiation, which it is tested against
+///   aim           takes the handles' targets
+template <class Term>
+struct Terms {
+  int arity = 1;
+  std::vector<Term> elements{};
+  std::vector<int> nodes{};       ///< arity entries an element
+  std::vector<double> weights{};  ///< one an element
+
+  void add(const Term& element, std::span<const int> its_nodes, double weight = 1) {
+    elements.push_back(element);
+    nodes.insert(nodes.end(), its_nodes.begin(), its_nodes.end());
+    weights.push_back(weight);
+  }
+  void add(const Term& element, std::initializer_list<int> its_nodes, double weight = 1) {
+    add(element, std::span(its_nodes.begin(), its_nodes.size()), weight);
+  }
+};
+
+}  // namespace deformlab
