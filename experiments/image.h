@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace deformlab {
+
+/// An 8-bit sRGB picture, three bytes a pixel, rows from the top down; white when made.
+struct Image {
+  Image() = default;
+  Image(int width, int height);  ///< throws InputError outside 1..32767 [pixel]
+
+  std::uint8_t* pixel(int x, int y) { return rgb.data() + offset(x, y); }
+  const std::uint8_t* pixel(int x, int y) const { return rgb.data() + offset(x, y); }
+
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x));
+  }
+};
+
+/// The image with the text centred in a white strip below it; an empty text gives the image itself.
+/// A text too wide for the image is set smaller. Throws InputError where the text is not UTF-8 or
+/// no font is installed.
+Image with_caption(const Image& image, const std::string& text);
+
+/// The images row by row in `columns` columns, each centred in a cell as large as the largest.
+/// Throws InputError where there are no images or `columns` is not positive.
+Image grid(const std::vector<Image>& images, int columns);
+
+/// The images in one row, each as in `grid`.
+Image side_by_side(const std::vector<Image>& images);
+
+/// Without the white margins, apart from `border` [pixel] of them: one crop for all the images,
+/// which must be of one size, so that what is comparable stays comparable. Images without anything
+/// in them come back as they are.
+std::vector<Image> cropped_alike(const std::vector<Image>& images, int border);
+
+/// Writes a PNG whole or not at all. Throws InputError where the path cannot be written.
+void write_png(const Image& image, const std::filesystem::path& path);
+
+}  // namespace deformlab

@@ -1,0 +1,197 @@
+#include "experiments/render.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/parallel.h"
+#include "experiments/ray_scene.h"
+#include "experiments/surface.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr float kHiddenOpacity = 0.55F;  // of what lies just below the surface
+constexpr float kFadeDepth = 0.06F;      // where it is gone, framed coordinates
+constexpr float kForgivenDepth = 2.0F;   // in radii: what is so near the surface counts as on it
+
+/// Directions towards the lights, as the camera sees them: however it stands, the picture is lit.
+struct Lights {
+  Eigen::Vector3f key, fill, sky;
+
+  explicit Lights(const View& view)
+      : key(view_direction(view, {-0.80, 0.60, 0.50})),
+        fill(view_direction(view, {0.80, 0.10, 0.60})),
+        sky(view_direction(view, {0.00, 1.00, 0.15})) {}
+
+  static Eigen::Vector3f view_direction(const View& view, const Eigen::Vector3d& d) {
+    return (d.x() * view.right + d.y() * view.up - d.z() * view.forward).normalized().cast<float>();
+  }
+
+  Eigen::Vector3f shade(const Eigen::Vector3f& albedo, const Eigen::Vector3f& n, float open) const {
+    const float direct = 0.85F * std::max(0.0F, n.dot(key)) * (0.4F + 0.6F * open) +
+                         0.20F * std::max(0.0F, n.dot(fill)) * open;
+    const float ambient = (0.26F + 0.10F * n.dot(sky)) * (0.15F + 0.85F * open);
+    return (direct + ambient) * albedo;
+  }
+};
+
+/// Balls and sticks, in framed coordinates.
+struct Overlay {
+  RayScene scene;
+  Eigen::RowVectorXf radius[2];
+  Eigen::Matrix3Xf color[2];
+};
+
+void require_finite(const Eigen::Vector3d& place, double radius, const Color& color,
+                    const std::string& what) {
+  if (place.allFinite() && std::isfinite(radius) && color.allFinite()) return;
+  throw InputError("cannot draw " + what +
+                   ": its position, radius and colour must be finite numbers");
+}
+
+Eigen::Vector4f framed_ball(const View& view, const Eigen::Vector3d& center, double radius) {
+  Eigen::Vector4d ball;
+  ball << (center - view.center) / view.size, radius / view.size;
+  return ball.cast<float>();
+}
+
+void add_balls(const std::vector<Ball>& balls, const View& view, Overlay& overlay) {
+  const auto count = static_cast<Eigen::Index>(balls.size());
+  Eigen::Matrix4Xf columns(4, count);
+  overlay.color[0].resize(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Ball& ball = balls[static_cast<std::size_t>(i)];
+    require_finite(ball.center, ball.radius, ball.color, "ball " + std::to_string(i));
+    columns.col(i) = framed_ball(view, ball.center, ball.radius);
+    overlay.color[0].col(i) = to_linear(ball.color);
+  }
+  overlay.radius[0] = columns.row(3);
+  overlay.scene.add_balls(columns);
+}
+
+void add_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& overlay) {
+  const auto count = static_cast<Eigen::Index>(sticks.size());
+  Eigen::Matrix4Xf ends(4, 2 * count);
+  overlay.color[1].resize(3, count);
+  overlay.radius[1].resize(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Stick& stick = sticks[static_cast<std::size_t>(i)];
+    require_finite(stick.a + stick.b, stick.radius, stick.color, "stick " + std::to_string(i));
+    ends.col(2 * i) = framed_ball(view, stick.a, stick.radius);
+    ends.col(2 * i + 1) = framed_ball(view, stick.b, stick.radius);
+    overlay.radius[1](i) = ends(3, 2 * i);
+    overlay.color[1].col(i) = to_linear(stick.color);
+  }
+  overlay.scene.add_sticks(ends);
+}
+
+/// One picture being made: what a ray sees.
+struct Scene {
+  Scene(const Panel& panel, const View& v)
+      : view(v), lights(v), surface(panel.shape, panel.vertex_colors, v) {
+    add_balls(panel.balls, view, overlay);
+    add_sticks(panel.sticks, view, overlay);
+    overlay.scene.commit();
+  }
+
+  Eigen::Vector3f seen(const Eigen::Vector3f& eye, const Eigen::Vector3f& ray) const {
+    Eigen::Vector3f color = Eigen::Vector3f::Ones();
+    float depth = std::numeric_limits<float>::infinity();
+    if (const auto hit = surface.scene().first_hit(eye, ray)) {
+      const SurfacePoint point = surface.at(*hit, ray);
+      color = lights.shade(point.color, point.normal, point.openness);
+      depth = hit->distance;
+    }
+    if (const auto hit = overlay.scene.first_hit(eye, ray)) {
+      const float opacity = overlay_opacity(*hit, depth);
+      color += opacity * (overlay_color(*hit, ray) - color);
+    }
+    return color;
+  }
+
+  float overlay_opacity(const Hit& hit, float depth) const {
+    const float below =
+        hit.distance - depth - kForgivenDepth * overlay.radius[hit.object](hit.element);
+    return below <= 0 ? 1 : kHiddenOpacity * std::max(0.0F, 1 - below / kFadeDepth);
+  }
+
+  Eigen::Vector3f overlay_color(const Hit& hit, const Eigen::Vector3f& ray) const {
+    Eigen::Vector3f normal = hit.normal.stableNormalized();
+    if (normal.dot(ray) > 0) normal = -normal;
+    const float light = 0.65F + 0.45F * std::max(0.0F, normal.dot(lights.key));
+    return light * overlay.color[hit.object].col(hit.element);
+  }
+
+  View view;
+  Lights lights;
+  Surface surface;
+  Overlay overlay;
+};
+
+void render_row(const Scene& scene, int y, int samples, Image& image) {
+  const Eigen::Vector3f eye = scene.view.eye.cast<float>();
+  for (int x = 0; x < image.width; ++x) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int i = 0; i < samples * samples; ++i) {
+      const double s = (x + (i % samples + 0.5) / samples) / image.width;
+      const double t = (y + (i / samples + 0.5) / samples) / image.height;
+      const Eigen::Vector3d ray = scene.view.forward +
+                                  (2 * s - 1) * scene.view.tan_x * scene.view.right +
+                                  (1 - 2 * t) * scene.view.tan_y * scene.view.up;
+      sum += scene.seen(eye, ray.normalized().cast<float>()).cwiseMin(1.0F);
+    }
+    store(sum / static_cast<float>(samples * samples), image.pixel(x, y));
+  }
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd tinted(const Shape& shape, const std::vector<int>& vertices, const Color& color) {
+  Eigen::Matrix3Xd all = colors::kSurface.replicate(1, shape.V.cols());
+  for (const int v : vertices) {
+    if (v < 0 || v >= shape.V.cols())
+      throw InputError("cannot tint vertex " + std::to_string(v) + ": the shape has " +
+                       std::to_string(shape.V.cols()));
+    all.col(v) = color;
+  }
+  return all;
+}
+
+Eigen::Matrix3Xd extent(const std::vector<Panel>& panels) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Panel& panel : panels) {
+    if (panel.shape)
+      for (const auto& v : panel.shape->V.colwise()) points.emplace_back(v);
+    for (const Ball& ball : panel.balls) points.push_back(ball.center);
+    for (const Stick& stick : panel.sticks) points.insert(points.end(), {stick.a, stick.b});
+  }
+  Eigen::Matrix3Xd P(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) P.col(static_cast<Eigen::Index>(i)) = points[i];
+  return P;
+}
+
+Image render(const Panel& panel, const View& view, const RenderOptions& options) {
+  if (options.samples < 1)
+    throw InputError("cannot render with " + std::to_string(options.samples) +
+                     " samples: at least 1 is needed");
+  Image image(options.width, options.height);
+  const Scene scene(panel, view);
+  parallel_for(image.height, options.threads,
+               [&](int y) { render_row(scene, y, options.samples, image); });
+  return image;
+}
+
+Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns) {
+  const View view = frame(extent(panels), options.camera, options.width, options.height);
+  std::vector<Image> images;
+  for (const Panel& panel : panels) images.push_back(render(panel, view, options));
+  images = cropped_alike(images, options.width / 40);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    images[i] = with_caption(images[i], panels[i].caption);
+  return grid(images, columns > 0 ? columns : std::max(1, static_cast<int>(panels.size())));
+}
+
+}  // namespace deformlab

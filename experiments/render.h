@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "experiments/camera.h"
+#include "experiments/color.h"
+#include "experiments/image.h"
+#include "geometry/shape.h"
+
+namespace deformlab {
+
+struct Ball {
+  Eigen::Vector3d center;  ///< [length]
+  double radius;           ///< [length]
+  Color color;
+};
+
+struct Stick {
+  Eigen::Vector3d a, b;  ///< ends [length]
+  double radius;         ///< [length]
+  Color color;
+};
+
+/// What one picture shows. Balls and sticks lie over the shape: where they are just below its
+/// surface they are drawn as if on it, and deeper they fade out.
+struct Panel {
+  const Shape* shape =
+      nullptr;  ///< may be left out; without a triangle of area it is drawn as dots
+  Eigen::Matrix3Xd vertex_colors = {};  ///< 3×#V, or 3×0 for colors::kSurface everywhere
+  std::vector<Ball> balls = {};
+  std::vector<Stick> sticks = {};
+  std::string caption = {};
+};
+
+struct RenderOptions {
+  int width = 800;   ///< [pixel]
+  int height = 600;  ///< [pixel], without the caption
+  int samples = 3;   ///< rays a pixel, along each side
+  int threads = 0;   ///< 0: as many as the machine has; the picture does not depend on it
+  Camera camera = {};
+};
+
+/// 3×#V: colors::kSurface, and `color` at the vertices named.
+Eigen::Matrix3Xd tinted(const Shape& shape, const std::vector<int>& vertices,
+                        const Color& color = colors::kFixed);
+
+/// The positions of all that the panels show, 3×n [length]: what `frame` needs to fit them all.
+Eigen::Matrix3Xd extent(const std::vector<Panel>& panels);
+
+/// The picture of one panel, on white, without its caption. The same input gives the same bytes.
+/// Throws InputError where a position, radius or colour is not finite, or the colours are neither
+/// none nor one a vertex.
+Image render(const Panel& panel, const View& view, const RenderOptions& options);
+
+/// All panels as one camera sees them, framed together, margins cut alike, each over its caption,
+/// in `columns` columns (0: one row). Throws InputError as `render` and `grid` do.
+Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns = 0);
+
+}  // namespace deformlab
