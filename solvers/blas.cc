@@ -1,0 +1,24 @@
+#include "solvers/blas.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+
+namespace deformlab {
+
+std::string blas_name() {
+  void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  Dl_info info{};
+  if (dgemm == nullptr || dladdr(dgemm, &info) == 0) return "unknown";
+  std::error_code error;
+  const auto file = std::filesystem::canonical(info.dli_fname, error);
+  std::string name = (error ? std::filesystem::path(info.dli_fname) : file).filename().string();
+  using Config = const char* (*)();
+  const auto config = reinterpret_cast<Config>(dlsym(RTLD_DEFAULT, "openblas_get_config"));
+  if (config != nullptr && name.find("openblas") != std::string::npos) {
+    name += std::string(" (") + config() + ")";
+  }
+  return name;
+}
+
+}  // namespace deformlab

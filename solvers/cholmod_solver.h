@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cholmod.h>
+
+#include <memory>
+
+#include "solvers/linear_solver.h"
+
+namespace deformlab {
+
+/// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders.
+class CholmodSolver final : public LinearSolver {
+ public:
+  CholmodSolver();
+  ~CholmodSolver() override;
+  CholmodSolver(const CholmodSolver&) = delete;
+  CholmodSolver& operator=(const CholmodSolver&) = delete;
+
+  Eigen::VectorXi order(const SparseMatrix& lower) override;
+  void analyze(const SparseMatrix& lower) override;
+  bool factorize(const SparseMatrix& lower) override;
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override;
+  long nonzeros() const override;
+
+ private:
+  void free_factor();
+
+  cholmod_common common_;
+  cholmod_factor* L_ = nullptr;
+  // Results and workspace of cholmod_solve2, which reuses them from solve to solve.
+  cholmod_dense *x_ = nullptr, *Y_ = nullptr, *E_ = nullptr;
+};
+
+}  // namespace deformlab

@@ -1,0 +1,211 @@
+#include "solvers/gauss_newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "solvers/blas.h"
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kSufficientDecrease = 1e-4;  // of F, as a share of what the slope promises
+constexpr double kSmallestStep = 1e-6;
+constexpr double kFirstDamping = 1e-4, kLeastDamping = 1e-16, kMostDamping = 1e16;
+constexpr double kRegularization = 1e-10;  // relative, of a singular JᵀJ
+constexpr double kRounding = 1e-13;        // relative error of a sum of squares: not uphill
+
+}  // namespace
+
+GaussNewton::GaussNewton(const SolverOptions& options)
+    : options_(options),
+      linear_(make_linear_solver(options.linear_solver == "auto" ? "cholmod"
+                                                                 : options.linear_solver)) {}
+
+void GaussNewton::compile(const Stage& stage) {
+  equations_ = std::make_unique<NormalEquations>(stage);
+  trial_ = stage.x;
+  const int n = equations_->unknowns();
+  delta_.resize(n);
+  D_.resize(n);
+  if (n == 0) return;
+  equations_->reorder(linear_->order(equations_->H()));
+  linear_->analyze(equations_->H());
+  damped_ = equations_->H();
+  diagonal_.resize(n);
+  for (int c = 0; c < n; ++c) diagonal_[c] = damped_.outerIndexPtr()[c];  // lower: first in column
+}
+
+bool GaussNewton::factorize(double damping, const Eigen::VectorXd& D) {
+  Stopwatch watch(summary_.seconds["factorize"]);
+  ++summary_.factorizations;
+  if (damping == 0) return linear_->factorize(equations_->H());
+  const SparseMatrix& H = equations_->H();
+  std::copy_n(H.valuePtr(), H.nonZeros(), damped_.valuePtr());
+  for (int i = 0; i < D.size(); ++i) damped_.valuePtr()[diagonal_[i]] += damping * D[i];
+  return linear_->factorize(damped_);
+}
+
+void GaussNewton::solve_for_delta() {
+  Stopwatch watch(summary_.seconds["solve"]);
+  linear_->solve(equations_->Jtr(), delta_);
+  delta_ = -delta_;
+}
+
+// δ of Eq. 11. Where JᵀJ is singular (a motion that no term sees) the least damping that makes it
+// regular picks the shortest of all solutions.
+bool GaussNewton::newton_direction() {
+  bool regular = factorize(0, D_);
+  if (!regular) {
+    double largest = 1e-300;
+    for (const int at : diagonal_) largest = std::max(largest, equations_->H().valuePtr()[at]);
+    D_.setConstant(largest);
+    for (double damping = kRegularization; !regular && damping < 1; damping *= 100) {
+      regular = factorize(damping, D_);
+    }
+    if (summary_.notes.empty()) {
+      summary_.notes.push_back("JᵀJ is singular: some motion changes no term; damped");
+    }
+  }
+  if (!regular) return false;
+  solve_for_delta();
+  return delta_.allFinite();
+}
+
+double GaussNewton::try_step(const Stage& stage, double scale) {
+  Stopwatch watch(summary_.seconds["evaluate"]);
+  equations_->step(stage.x, delta_, scale, trial_);
+  return equations_->evaluate(trial_);
+}
+
+GaussNewton::Outcome GaussNewton::full_step(Stage& stage, Iteration& iteration) {
+  if (!newton_direction()) return Outcome::kSingular;
+  iteration.cost = try_step(stage, 1);
+  return std::isfinite(iteration.cost) ? Outcome::kAccepted : Outcome::kNotFinite;
+}
+
+GaussNewton::Outcome GaussNewton::line_search(Stage& stage, Iteration& iteration) {
+  if (!newton_direction()) return Outcome::kSingular;
+  const double slope = 2 * equations_->Jtr().dot(delta_);
+  for (double scale = 1; scale >= kSmallestStep; scale /= 2) {
+    iteration.cost = try_step(stage, scale);
+    iteration.step_scale = scale;
+    const double enough = cost_ + kSufficientDecrease * scale * slope + kRounding * cost_;
+    if (iteration.cost <= enough) return Outcome::kAccepted;
+  }
+  return Outcome::kUphill;
+}
+
+// Nielsen's rule: λ follows the ratio of what F fell to what the linear model promised.
+GaussNewton::Outcome GaussNewton::levenberg(Stage& stage, Iteration& iteration) {
+  for (int i = 0; i < D_.size(); ++i) {
+    D_[i] = std::clamp(equations_->H().valuePtr()[diagonal_[i]], 1e-6, 1e32);
+  }
+  while (damping_ < kMostDamping) {
+    iteration.damping = damping_;
+    double promised = 0;
+    iteration.cost = std::numeric_limits<double>::infinity();
+    if (factorize(damping_, D_)) {
+      solve_for_delta();
+      iteration.cost = try_step(stage, 1);
+      promised = damping_ * delta_.dot(D_.cwiseProduct(delta_)) - delta_.dot(equations_->Jtr());
+    }
+    const double fell = cost_ - iteration.cost;
+    if (fell >= -kRounding * cost_) {
+      const double ratio = promised > 0 ? fell / promised : 1;
+      damping_ =
+          std::max(kLeastDamping, damping_ * std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3)));
+      damping_growth_ = 2;
+      return Outcome::kAccepted;
+    }
+    damping_ *= damping_growth_;
+    damping_growth_ *= 2;
+  }
+  return Outcome::kUphill;
+}
+
+GaussNewton::Outcome GaussNewton::advance(Stage& stage, Iteration& iteration) {
+  if (options_.globalization == "none") return full_step(stage, iteration);
+  if (options_.globalization == "line_search") return line_search(stage, iteration);
+  return levenberg(stage, iteration);
+}
+
+void GaussNewton::start(Stage& stage) {
+  summary_ = {};
+  for (const char* phase : {"evaluate", "linearize", "factorize", "solve"}) {
+    summary_.seconds[phase] = 0;  // exists before it is timed: no allocation in an iteration
+  }
+  summary_.iterations.reserve(options_.max_iterations);
+  damping_ = kFirstDamping;
+  damping_growth_ = 2;
+  trial_.X = stage.x.X;  // brings the fixed nodes along
+  cost_ = summary_.initial_cost = equations_->evaluate(stage.x);
+  if (std::isfinite(cost_)) equations_->linearize(stage.x);
+}
+
+Summary GaussNewton::finish(const Stage& stage, Status status, std::string message) {
+  summary_.status = status;
+  summary_.message = std::move(message);
+  summary_.final_cost = equations_->evaluate(stage.x);
+  const std::vector<double> costs = equations_->cost_by_term();
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    summary_.cost_by_term[std::string(stage.terms[i].energy->name())] = costs[i];
+  }
+  summary_.unknowns = equations_->unknowns();
+  summary_.nonzeros_JtJ = equations_->H().nonZeros();
+  summary_.nonzeros_factor = summary_.unknowns > 0 ? linear_->nonzeros() : 0;
+  summary_.method = "gauss_newton";
+  summary_.linear_solver = options_.linear_solver == "auto" ? "cholmod" : options_.linear_solver;
+  summary_.globalization = options_.globalization;
+  summary_.blas = blas_name();
+  return summary_;
+}
+
+std::pair<Status, std::string> GaussNewton::iterate(Stage& stage) {
+  if (!std::isfinite(cost_)) return {Status::kFailed, "F is not finite at the start"};
+  if (equations_->unknowns() == 0) return {Status::kConverged, "every node is fixed"};
+  for (int i = 0; i < options_.max_iterations; ++i) {
+    Iteration iteration;
+    Stopwatch watch(iteration.seconds);
+    switch (advance(stage, iteration)) {
+      case Outcome::kAccepted:
+        break;
+      case Outcome::kUphill:
+        return {Status::kStalled, "no step along the search direction lowers F"};
+      case Outcome::kNotFinite:
+        return {Status::kFailed, "a step makes F infinite: try another solver.globalization"};
+      case Outcome::kSingular:
+        return {Status::kFailed, "JᵀJ cannot be factorized, however damped"};
+    }
+    std::swap(stage.x.X, trial_.X);
+    {
+      Stopwatch linearize_watch(summary_.seconds["linearize"]);
+      equations_->linearize(stage.x);
+    }
+    iteration.gradient_max = 2 * equations_->Jtr().lpNorm<Eigen::Infinity>();
+    iteration.step_max = iteration.step_scale * delta_.lpNorm<Eigen::Infinity>();
+    iteration.seconds = watch.elapsed();
+    summary_.iterations.push_back(iteration);
+    const double previous = std::exchange(cost_, iteration.cost);
+    if (converged(cost_, previous, iteration.gradient_max, iteration.step_max, options_.epsilon)) {
+      return {Status::kConverged, "the three conditions of Eq. 12 hold"};
+    }
+  }
+  return {Status::kMaxIterations, "Eq. 12 does not hold after solver.max_iterations steps"};
+}
+
+Summary GaussNewton::solve(Stage& stage) {
+  double total = 0;
+  std::pair<Status, std::string> outcome;
+  {
+    Stopwatch watch(total);
+    start(stage);
+    outcome = iterate(stage);
+  }
+  summary_.seconds["total"] = total;
+  return finish(stage, outcome.first, std::move(outcome.second));
+}
+
+}  // namespace deformlab

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solvers/linear_solver.h"
+#include "solvers/normal_equations.h"
+#include "solvers/solver.h"
+
+namespace deformlab {
+
+/// Gauss–Newton on sparse normal equations (Sumner et al. 2007, Eq. 10–12; damping after Madsen,
+/// Nielsen and Tingleff 2004). Order and symbolic factorization are found in `compile` and kept.
+class GaussNewton final : public Solver {
+ public:
+  explicit GaussNewton(const SolverOptions& options);
+  void compile(const Stage& stage) override;
+  Summary solve(Stage& stage) override;
+
+ private:
+  enum class Outcome { kAccepted, kUphill, kNotFinite, kSingular };
+
+  Outcome advance(Stage& stage, Iteration& iteration);
+  Outcome full_step(Stage& stage, Iteration& iteration);
+  Outcome line_search(Stage& stage, Iteration& iteration);
+  Outcome levenberg(Stage& stage, Iteration& iteration);
+  bool newton_direction();
+  void solve_for_delta();
+  bool factorize(double damping, const Eigen::VectorXd& diagonal);
+  double try_step(const Stage& stage, double scale);
+  void start(Stage& stage);
+  std::pair<Status, std::string> iterate(Stage& stage);
+  Summary finish(const Stage& stage, Status status, std::string message);
+
+  SolverOptions options_;
+  std::unique_ptr<LinearSolver> linear_;
+  std::unique_ptr<NormalEquations> equations_;
+  SparseMatrix damped_;        // H + λ D
+  std::vector<int> diagonal_;  // places of its diagonal
+  Eigen::VectorXd delta_, D_;
+  Unknowns trial_;
+  double cost_ = 0, damping_ = 0, damping_growth_ = 2;
+  Summary summary_;
+};
+
+}  // namespace deformlab

@@ -1,0 +1,43 @@
+#include "solvers/linear_solver.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+
+#include "geometry/error.h"
+#include "solvers/cholmod_solver.h"
+
+namespace deformlab {
+namespace {
+
+// Eigen's simplicial LDLᵀ: no BLAS, no supernodes; the independent second opinion.
+class EigenLdlt final : public LinearSolver {
+ public:
+  Eigen::VectorXi order(const SparseMatrix& lower) override {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), permutation);
+    return permutation.indices();
+  }
+  void analyze(const SparseMatrix& lower) override { ldlt_.analyzePattern(lower); }
+  bool factorize(const SparseMatrix& lower) override {
+    ldlt_.factorize(lower);
+    if (ldlt_.info() != Eigen::Success) return false;
+    const auto D = ldlt_.vectorD();
+    return D.minCoeff() > kSingular * D.maxCoeff();
+  }
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override { delta = ldlt_.solve(b); }
+  long nonzeros() const override { return ldlt_.matrixL().nestedExpression().nonZeros(); }
+
+ private:
+  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name) {
+  if (name == "cholmod") return std::make_unique<CholmodSolver>();
+  if (name == "eigen_ldlt") return std::make_unique<EigenLdlt>();
+  throw InputError("solver.linear_solver '" + name +
+                   "' is not one of gauss_newton's; known: auto, cholmod, eigen_ldlt");
+}
+
+}  // namespace deformlab

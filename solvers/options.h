@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+namespace deformlab {
+
+/// Everything a solve can be told; the same for every method.
+struct SolverOptions {
+  std::string method = "gauss_newton";  ///< gauss_newton | ceres
+  /// auto: cholmod, and for ceres sparse_normal_cholesky. Else gauss_newton takes cholmod |
+  /// eigen_ldlt, and ceres any of its own: dense_qr | dense_normal_cholesky |
+  /// sparse_normal_cholesky | dense_schur | sparse_schur | iterative_schur | cgnr.
+  std::string linear_solver = "auto";
+  /// none: full steps, as in the paper; they can go uphill. line_search: the step is halved until F
+  /// falls. levenberg: damped by λ diag(JᵀJ), which is what ceres always does.
+  std::string globalization = "line_search";
+  std::string ceres_trust_region = "levenberg_marquardt";  ///< or dogleg
+  std::string ceres_sparse_library = "suite_sparse";       ///< or eigen_sparse | cx_sparse
+  double epsilon = 1e-6;                                   ///< ε of Eq. 12
+  int max_iterations = 100;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.choice("method", o.method, {"gauss_newton", "ceres"}, "who minimises");
+    visit.choice(
+        "linear_solver", o.linear_solver,
+        {"auto", "cholmod", "eigen_ldlt", "dense_qr", "dense_normal_cholesky",
+         "sparse_normal_cholesky", "dense_schur", "sparse_schur", "iterative_schur", "cgnr"},
+        "gauss_newton: cholmod, eigen_ldlt; ceres: the others; auto: the usual one");
+    visit.choice("globalization", o.globalization, {"none", "line_search", "levenberg"},
+                 "of gauss_newton: full steps (the paper's), halved steps, or damped ones");
+    visit.choice("ceres_trust_region", o.ceres_trust_region, {"levenberg_marquardt", "dogleg"},
+                 "of ceres");
+    visit.choice("ceres_sparse_library", o.ceres_sparse_library,
+                 {"suite_sparse", "eigen_sparse", "cx_sparse"}, "of ceres");
+    visit("epsilon", o.epsilon, "of the three conditions of Eq. 12");
+    visit("max_iterations", o.max_iterations, "steps at most");
+  }
+};
+
+}  // namespace deformlab

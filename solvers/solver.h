@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "solvers/options.h"
+#include "solvers/stage.h"
+#include "solvers/summary.h"
+
+namespace deformlab {
+
+/// Minimises stages. `compile` does what depends on the structure alone (which nodes are free,
+/// which elements there are) and is paid once for a set of handles; `solve` may be called any
+/// number of times after it, with targets and state changed in between.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  virtual void compile(const Stage& stage) = 0;
+  virtual Summary solve(Stage& stage) = 0;
+};
+
+/// The solver that options.method names. Throws InputError for an option that does not exist or
+/// does not go with the method.
+std::unique_ptr<Solver> make_solver(const SolverOptions& options);
+
+/// Eq. 12: the change of F, its gradient and the step are all small.
+bool converged(double cost, double previous_cost, double gradient_max, double step_max,
+               double epsilon);
+
+}  // namespace deformlab

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace deformlab {
+
+enum class Status {
+  kConverged,      ///< all three conditions of Eq. 12 hold
+  kMaxIterations,  ///< they did not within max_iterations
+  kStalled,        ///< no step along the search direction lowers F any more
+  kFailed,         ///< no step could be computed; the message says why, the state is the last good
+};
+
+const char* to_string(Status status);
+
+/// One step of a solve, as the trace file has it.
+struct Iteration {
+  double cost = 0;          ///< F after the step
+  double gradient_max = 0;  ///< ‖∇F‖∞ after the step
+  double step_max = 0;      ///< ‖δ‖∞
+  double step_scale = 1;    ///< share of the full step that was taken
+  double damping = 0;       ///< λ
+  double seconds = 0;       ///< of this iteration
+};
+
+/// What a solve did, the same for every method.
+struct Summary {
+  Status status = Status::kFailed;
+  std::string message;  ///< why it ended, for a person
+  std::vector<std::string> notes;
+  double initial_cost = 0;                     ///< F before the first step
+  double final_cost = 0;                       ///< F of the result
+  std::map<std::string, double> cost_by_term;  ///< w E, by the term's name
+  std::vector<Iteration> iterations;
+
+  int unknowns = 0;
+  long nonzeros_JtJ = 0;     ///< in the lower triangle
+  long nonzeros_factor = 0;  ///< in L; 0 where the solver does not tell
+  int factorizations = 0;
+  std::map<std::string, double> seconds;  ///< by phase: evaluate, factorize, solve, …, total
+
+  std::string method, linear_solver, globalization;
+  std::string blas;
+  int threads = 1;
+};
+
+}  // namespace deformlab
