@@ -71,7 +71,7 @@ bool CholmodSolver::factorize(const SparseMatrix& lower) {
   cholmod_sparse A = view(lower);
   cholmod_factorize(&A, L_, &common_);
   if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-  return common_.status == CHOLMOD_OK && cholmod_rcond(L_, &common_) > kSingular;
+  return common_.status == CHOLMOD_OK && cholmod_rcond(L_, &common_) > kSingularRatio;
 }
 
 void CholmodSolver::solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) {

@@ -22,7 +22,7 @@ class EigenLdlt final : public LinearSolver {
     ldlt_.factorize(lower);
     if (ldlt_.info() != Eigen::Success) return false;
     const auto D = ldlt_.vectorD();
-    return D.minCoeff() > kSingular * D.maxCoeff();
+    return D.minCoeff() > kSingularRatio * D.maxCoeff();
   }
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override { delta = ldlt_.solve(b); }
   long nonzeros() const override { return ldlt_.matrixL().nestedExpression().nonZeros(); }

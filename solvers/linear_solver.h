@@ -29,7 +29,7 @@ class LinearSolver {
 };
 
 /// Below this ratio of the factor's smallest to its largest pivot a matrix counts as singular.
-inline constexpr double kSingular = 1e-14;
+inline constexpr double kSingularRatio = 1e-14;
 
 /// name: "cholmod" or "eigen_ldlt". Throws InputError for another.
 std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name);

@@ -1,0 +1,269 @@
+#include "deformers/embedded_deformation.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "energies/catalog.h"
+#include "geometry/error.h"
+#include "geometry/sampling.h"
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+namespace {
+
+double length_unit(const std::string& text, const DeformationGraph& graph) {
+  if (text == "mean_edge") return mean_edge_length(graph);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size() && value > 0 &&
+      std::isfinite(value)) {
+    return value;
+  }
+  throw InputError("length_unit is '" + text + "'; it is mean_edge or a positive number");
+}
+
+DeformationGraph scaled(DeformationGraph graph, double factor) {
+  graph.g *= factor;
+  return graph;
+}
+
+Embedding scaled(Embedding embedding, double factor) {
+  embedding.v *= factor;
+  return embedding;
+}
+
+void check_energies(const std::map<std::string, double>& weights) {
+  const auto& known = known_energies();
+  for (const auto& [name, weight] : weights) {
+    const bool found =
+        std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == name; });
+    if (!found) make_energy(name, {}, {});  // says which names there are
+    if (!(weight >= 0 && std::isfinite(weight))) {
+      throw InputError("energies." + name + " is " + std::to_string(weight) +
+                       "; a weight is a number of 0 or more");
+    }
+  }
+}
+
+void check_vertices(const std::vector<int>& indices, Eigen::Index count) {
+  for (const int i : indices) {
+    if (i >= 0 && i < count) continue;
+    throw InputError("handle at vertex " + std::to_string(i) +
+                     "; the shape has the vertices 0 to " + std::to_string(count - 1));
+  }
+}
+
+void check_disjoint(const Handles& handles) {
+  std::vector<int> fixed = handles.fixed, moved = handles.moved, both;
+  std::sort(fixed.begin(), fixed.end());
+  std::sort(moved.begin(), moved.end());
+  std::set_intersection(fixed.begin(), fixed.end(), moved.begin(), moved.end(),
+                        std::back_inserter(both));
+  if (both.empty()) return;
+  throw InputError("vertex " + std::to_string(both.front()) + " is both fixed and moved");
+}
+
+// 0, 1, 2, 3: all points in one place, on a line, in a plane, in space.
+int affine_rank(const Eigen::Matrix3Xd& points, double extent) {
+  const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
+  const Eigen::Matrix3d covariance = centred * centred.transpose() / points.cols();
+  const Eigen::Vector3d s = covariance.jacobiSvd().singularValues().cwiseSqrt();
+  return static_cast<int>((s.array() > 1e-6 * extent).count());
+}
+
+}  // namespace
+
+EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options)
+    : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
+  check_energies(options_.energies);
+  Eigen::Matrix3Xd nodes;
+  {
+    Stopwatch watch(seconds_["sample"]);
+    nodes = sample_nodes(rest_, options_.graph.nodes, options_.graph.seed);
+  }
+  register_shape(nodes);
+}
+
+EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nodes,
+                                         const EmbeddedDeformationOptions& options)
+    : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
+  check_energies(options_.energies);
+  register_shape(nodes);
+}
+
+void EmbeddedDeformation::register_shape(const Eigen::Matrix3Xd& nodes) {
+  {
+    Stopwatch watch(seconds_["embed"]);
+    embedding_ = embed(rest_.V, nodes, options_.graph.neighbors);
+  }
+  {
+    Stopwatch watch(seconds_["connect"]);
+    graph_ = connect(nodes, embedding_, options_.graph.alpha);
+  }
+  if (embedding_.nodes.rows() < options_.graph.neighbors) {
+    registration_notes_.push_back("the graph has " + std::to_string(nodes.cols()) +
+                                  " nodes, fewer than graph.neighbors + 1: " +
+                                  "each vertex follows " + std::to_string(embedding_.nodes.rows()));
+  }
+  unit_ = deformlab::length_unit(options_.length_unit, graph_);
+  const int m = static_cast<int>(nodes.cols());
+  stage_.x = Unknowns::uniform(rest_transformations(m), m);
+  stage_.fixed.assign(m, 0);
+  deformed_ = rest_;
+  compile({});
+}
+
+void EmbeddedDeformation::reset() {
+  stage_.x.X = rest_transformations(graph_.g.cols());
+  deformed_ = rest_;
+}
+
+Transformations EmbeddedDeformation::transformations() const {
+  Transformations X = stage_.x.X;
+  for (Eigen::Index j = 3; j < X.cols(); j += 4) X.col(j) *= unit_;
+  return X;
+}
+
+// Sumner et al. 2007, Eq. 9: R_q = I, t_q = 0 for every node that influences a fixed vertex.
+void EmbeddedDeformation::fix_nodes(const Handles& handles) {
+  std::fill(stage_.fixed.begin(), stage_.fixed.end(), 0);
+  for (const int i : handles.fixed) {
+    for (Eigen::Index a = 0; a < embedding_.nodes.rows(); ++a) {
+      if (embedding_.weights(a, i) > 0) stage_.fixed[embedding_.nodes(a, i)] = 1;
+    }
+  }
+  for (int j = 0; j < stage_.x.nodes(); ++j) {
+    if (stage_.fixed[j]) stage_.x.X.middleCols<4>(4 * j) = rest_transformations(1);
+  }
+}
+
+// A component without a handle could float anywhere at no cost: it is held where it is. One with
+// too few handles still turns about them; that is solved, and said.
+void EmbeddedDeformation::hold_free_components() {
+  const std::vector<int> component = components(graph_);
+  const int count =
+      component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
+  std::vector<std::vector<Eigen::Index>> held_by(count);
+  std::vector<int> size(count, 0), first(count, -1);
+  std::vector<char> anchored(count, 0);
+  for (Eigen::Index l = 0; l < handles_.v.cols(); ++l) {
+    held_by[component[handles_.nodes(0, l)]].push_back(l);
+  }
+  for (int j = 0; j < stage_.x.nodes(); ++j) {
+    if (first[component[j]] < 0) first[component[j]] = j;
+    ++size[component[j]];
+    anchored[component[j]] |= stage_.fixed[j];
+  }
+  int lone = 0;
+  for (int c = 0; c < count; ++c) {
+    if (anchored[c]) continue;
+    const std::string name = "component " + std::to_string(c) + " of the graph (" +
+                             std::to_string(size[c]) + " nodes, among them node " +
+                             std::to_string(first[c]) + ")";
+    if (!held_by[c].empty()) {
+      const Eigen::Matrix3Xd points = handles_.v(Eigen::all, held_by[c]);
+      const int rank = affine_rank(points, bounding_box_diagonal(rest_.V));
+      if (rank < 2) {
+        compilation_notes_.push_back(name + " is held " +
+                                     (rank == 0 ? "at one point" : "on one line") +
+                                     " only: it may turn about it freely");
+      }
+      continue;
+    }
+    for (int j = 0; j < stage_.x.nodes(); ++j) {
+      if (component[j] == c) stage_.fixed[j] = 1;
+    }
+    if (size[c] == 1) {
+      ++lone;
+    } else {
+      compilation_notes_.push_back(name + " has no handle: it stays where it is");
+    }
+  }
+  if (lone > 0) {
+    compilation_notes_.push_back(std::to_string(lone) + " nodes have no neighbour and no handle: " +
+                                 "they stay where they are");
+  }
+}
+
+void EmbeddedDeformation::note_immovable_handles() {
+  int immovable = 0;
+  for (Eigen::Index l = 0; l < handles_.v.cols(); ++l) {
+    bool free = false;
+    for (const int j : handles_.nodes.col(l)) free = free || !stage_.fixed[j];
+    immovable += !free;
+  }
+  if (immovable > 0) {
+    compilation_notes_.push_back(std::to_string(immovable) +
+                                 " handles follow fixed nodes only and " +
+                                 "cannot move: fix fewer vertices or use more nodes");
+  }
+}
+
+void EmbeddedDeformation::compile(const Handles& handles) {
+  seconds_["compile"] = 0;
+  Stopwatch watch(seconds_["compile"]);
+  check_vertices(handles.fixed, rest_.V.cols());
+  check_vertices(handles.moved, rest_.V.cols());
+  check_disjoint(handles);
+  compilation_notes_.clear();
+  handles_ = subset(embedding_, handles.moved);
+  fix_nodes(handles);
+  hold_free_components();
+  note_immovable_handles();
+
+  const DeformationGraph graph = scaled(graph_, 1 / unit_);
+  const Embedding embedded = scaled(handles_, 1 / unit_);
+  stage_.terms.clear();
+  for (const EnergyInfo& info : known_energies()) {
+    const auto named = options_.energies.find(info.name);
+    const double weight = named != options_.energies.end() ? named->second : info.default_weight;
+    if (weight > 0) stage_.terms.push_back({make_energy(info.name, graph, embedded), weight});
+  }
+  solver_->compile(stage_);
+}
+
+void EmbeddedDeformation::measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const {
+  if (targets.cols() == 0) return;
+  const Eigen::Matrix3Xd reached = transfer_positions(transformations(), graph_.g, handles_);
+  const Eigen::VectorXd distance = (reached - targets).colwise().norm();
+  report.handle_rms = std::sqrt(distance.squaredNorm() / targets.cols());
+  report.handle_max = distance.maxCoeff();
+}
+
+Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
+  if (targets.cols() != handles_.v.cols()) {
+    throw InputError(std::to_string(targets.cols()) + " targets for " +
+                     std::to_string(handles_.v.cols()) + " handles; one for each is needed");
+  }
+  if (!targets.allFinite()) throw InputError("a handle's target is not finite");
+  Report report;
+  for (const auto& term : stage_.terms) term.energy->aim(targets / unit_);
+  report.solve = solver_->solve(stage_);
+  const Transformations X = transformations();
+  {
+    Stopwatch watch(report.seconds["transfer"]);
+    deformed_.V = transfer_positions(X, graph_.g, embedding_);
+    if (rest_.N.cols() > 0) deformed_.N = transfer_normals(X, rest_.N, embedding_);
+  }
+  report.nodes = static_cast<int>(graph_.g.cols());
+  report.edges = static_cast<int>(graph_.edges.size());
+  report.length_unit = unit_;
+  report.min_det_R = X.leftCols<3>().determinant();
+  for (Eigen::Index j = 1; j < graph_.g.cols(); ++j) {
+    report.min_det_R = std::min(report.min_det_R, X.middleCols<3>(4 * j).determinant());
+  }
+  measure_handles(targets, report);
+  report.seconds.insert(seconds_.begin(), seconds_.end());
+  report.seconds["solve"] = report.solve.seconds["total"];
+  report.notes = registration_notes_;
+  for (const auto* notes : {&compilation_notes_, &report.solve.notes}) {
+    report.notes.insert(report.notes.end(), notes->begin(), notes->end());
+  }
+  return report;
+}
+
+}  // namespace deformlab

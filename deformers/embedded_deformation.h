@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "deformers/deformer.h"
+#include "geometry/deformation_graph.h"
+#include "geometry/transfer.h"
+#include "solvers/solver.h"
+
+namespace deformlab {
+
+/// What embedded deformation can be told.
+struct EmbeddedDeformationOptions {
+  GraphOptions graph;
+  std::map<std::string, double> energies;  ///< weight w of each term; one not named has its default
+  /// E_rot has no unit, E_reg and E_con are lengths²: their balance depends on what a length is
+  /// measured in. "mean_edge", the mean edge of the graph, makes the result independent of the
+  /// shape's unit; a number is that many of the shape's own (1: the formula as printed).
+  std::string length_unit = "mean_edge";
+  SolverOptions solver;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("graph", o.graph, "the deformation graph");
+    visit("energies", o.energies, "weight of each energy term; one not named has its default");
+    visit("length_unit", o.length_unit, "mean_edge, or a number in the shape's own unit");
+    visit("solver", o.solver, "how the energy is minimised");
+  }
+};
+
+/// Embedded Deformation for Shape Manipulation (Sumner, Schmid, Pauly 2007).
+class EmbeddedDeformation final : public Deformer {
+ public:
+  /// Samples the graph. Throws InputError for options out of range.
+  EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options);
+  /// Takes a graph whose nodes are already placed (3×m) [length].
+  EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nodes,
+                      const EmbeddedDeformationOptions& options);
+
+  void compile(const Handles& handles) override;
+  Report update(const Eigen::Matrix3Xd& targets) override;
+  const Shape& deformed() const override { return deformed_; }
+  void reset() override;
+
+  const DeformationGraph& graph() const { return graph_; }  ///< at rest [length]
+  Transformations transformations() const;                  ///< 3×4m, t_j [length]
+  const Stage& stage() const { return stage_; }             ///< in units of length_unit()
+  double length_unit() const { return unit_; }
+
+ private:
+  void register_shape(const Eigen::Matrix3Xd& nodes);
+  void fix_nodes(const Handles& handles);
+  void hold_free_components();
+  void note_immovable_handles();
+  void measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const;
+
+  EmbeddedDeformationOptions options_;
+  Shape rest_, deformed_;
+  Embedding embedding_, handles_;  // of the whole shape, and of its moved vertices [length]
+  DeformationGraph graph_;
+  double unit_ = 1;
+  Stage stage_;
+  std::unique_ptr<Solver> solver_;
+  std::map<std::string, double> seconds_;
+  std::vector<std::string> registration_notes_, compilation_notes_;
+};
+
+}  // namespace deformlab
