@@ -1,0 +1,225 @@
+#include "experiments/config_node.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <utility>
+
+#include "experiments/suggest.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kMaxNodes = 1'000'000;
+constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
+
+std::string place(const std::shared_ptr<const ConfigSource>& source, int line) {
+  if (!source) return "default";
+  return line > 0 && source->is_file ? "line " + std::to_string(line) + " of " + source->name
+                                     : source->name;
+}
+
+/// Copies yaml-cpp's tree into ours and refuses on the way what a config may not hold.
+class Converter {
+ public:
+  explicit Converter(std::shared_ptr<const ConfigSource> source) : source_(std::move(source)) {}
+
+  ConfigNode convert(const YAML::Node& yaml, int depth, int parent_line) {
+    ConfigNode node;
+    node.source = source_;
+    node.line = yaml.Mark().is_null() ? parent_line : yaml.Mark().line + 1;
+    check_limits(node, depth);
+    check_tag(yaml.Tag(), node);
+    if (yaml.IsScalar()) {
+      node.kind = ConfigNode::Kind::kScalar;
+      node.text = yaml.Scalar();
+      node.quoted = yaml.Tag() == "!" || yaml.Tag() == "tag:yaml.org,2002:str";
+    } else if (yaml.IsSequence()) {
+      node.kind = ConfigNode::Kind::kList;
+      for (const auto& child : yaml) {
+        node.children.push_back(convert(child, depth + 1, node.line));
+      }
+    } else if (yaml.IsMap()) {
+      node.kind = ConfigNode::Kind::kMap;
+      add_entries(yaml, depth, node);
+    }
+    return node;
+  }
+
+ private:
+  void check_limits(const ConfigNode& node, int depth) {
+    if (depth > kMaxConfigDepth) {
+      throw InputError("nested deeper than " + std::to_string(kMaxConfigDepth) + " levels (" +
+                       node.where() + "); does an alias contain itself?");
+    }
+    if (++count_ > kMaxNodes) {
+      throw InputError("more than " + std::to_string(kMaxNodes) + " values (" + node.where() +
+                       ") with all aliases expanded; make the file smaller");
+    }
+  }
+
+  static void check_tag(const std::string& tag, const ConfigNode& node) {
+    const bool plain = tag.empty() || tag == "?" || tag == "!";
+    if (plain || tag.starts_with("tag:yaml.org,2002:")) return;
+    throw InputError("unknown tag " + quote(tag) + " (" + node.where() + "); leave it out");
+  }
+
+  [[noreturn]] void throw_duplicate(const std::string& key, int first, int second) const {
+    const std::string also = source_->is_file ? "line " + std::to_string(first) + " and " : "";
+    throw InputError("duplicate key " + quote(key) + " (" + also + place(source_, second) +
+                     "); keep one of them");
+  }
+
+  void add_entries(const YAML::Node& yaml, int depth, ConfigNode& map) {
+    std::map<std::string, int> lines;
+    for (const auto& entry : yaml) {
+      const int line = std::max(entry.first.Mark().line + 1, 1);
+      if (!entry.first.IsScalar()) {
+        throw InputError("a key must be a name (" + place(source_, line) + ")");
+      }
+      const std::string& key = entry.first.Scalar();
+      const auto [first, is_new] = lines.emplace(key, line);
+      if (!is_new) throw_duplicate(key, first->second, line);
+      if (key == "<<") {
+        throw InputError("merge key '<<' (" + place(source_, line) +
+                         ") is not supported; write its keys out, or use an alias as a value");
+      }
+      map.children.push_back(convert(entry.second, depth + 1, line));
+      map.children.back().key = key;
+      map.children.back().key_line = line;
+    }
+  }
+
+  std::shared_ptr<const ConfigSource> source_;
+  int count_ = 0;
+};
+
+std::string read_text(const std::filesystem::path& path) {
+  const std::string cannot = "cannot read " + quote(path.string()) + ": ";
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw InputError(cannot + "it is a folder");
+  if (!std::filesystem::exists(path, ignored)) throw InputError(cannot + "no such file");
+  std::ifstream file(path, std::ios::binary);
+  std::string text(kMaxBytes + 1, '\0');
+  if (!file) throw InputError(cannot + "permission denied");
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw InputError(cannot + "reading failed");
+  if (text.size() > kMaxBytes) throw InputError(cannot + "larger than 32 MiB");
+  return text;
+}
+
+void emit(YAML::Emitter& out, const ConfigNode& node) {
+  switch (node.kind) {
+    case ConfigNode::Kind::kNull:
+      out << YAML::Null;
+      return;
+    case ConfigNode::Kind::kScalar:
+      if (node.quoted) out << YAML::DoubleQuoted;
+      out << node.text;
+      return;
+    case ConfigNode::Kind::kList: {
+      const bool short_list = std::all_of(
+          node.children.begin(), node.children.end(),
+          [](const ConfigNode& child) { return child.kind <= ConfigNode::Kind::kScalar; });
+      if (short_list) out << YAML::Flow;
+      out << YAML::BeginSeq;
+      for (const ConfigNode& child : node.children) emit(out, child);
+      out << YAML::EndSeq;
+      return;
+    }
+    case ConfigNode::Kind::kMap:
+      out << YAML::BeginMap;
+      for (const ConfigNode& child : node.children) {
+        out << YAML::Key << child.key << YAML::Value;
+        emit(out, child);
+      }
+      out << YAML::EndMap;
+  }
+}
+
+}  // namespace
+
+const ConfigNode* ConfigNode::find(std::string_view name) const {
+  if (kind != Kind::kMap) return nullptr;
+  for (const ConfigNode& child : children) {
+    if (child.key == name) return &child;
+  }
+  return nullptr;
+}
+
+ConfigNode* ConfigNode::find(std::string_view name) {
+  return const_cast<ConfigNode*>(std::as_const(*this).find(name));
+}
+
+std::filesystem::path ConfigNode::folder() const {
+  return source ? source->folder : std::filesystem::path();
+}
+
+std::string ConfigNode::where() const { return place(source, line); }
+
+std::string ConfigNode::key_where() const { return place(source, key_line); }
+
+std::string ConfigNode::found() const {
+  switch (kind) {
+    case Kind::kNull:
+      return "nothing";
+    case Kind::kScalar:
+      return (quoted ? "the quoted text " : "") + quote(text);
+    case Kind::kList:
+      return "a list of " + std::to_string(children.size());
+    case Kind::kMap:
+      return "a map";
+  }
+  return "nothing";
+}
+
+ConfigNode parse_yaml(const std::string& text, std::shared_ptr<const ConfigSource> source) {
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(text);
+  } catch (const YAML::Exception& error) {
+    throw InputError("not valid YAML (" + place(source, error.mark.line + 1) + "): " + error.msg);
+  }
+  if (documents.size() > 1) {
+    throw InputError("more than one YAML document (" + place(source, documents[1].Mark().line + 1) +
+                     "); keep one");
+  }
+  if (documents.empty()) {
+    ConfigNode nothing;
+    nothing.source = std::move(source);
+    return nothing;
+  }
+  return Converter(std::move(source)).convert(documents[0], 0, 0);
+}
+
+ConfigNode load_config(const std::filesystem::path& path) {
+  ConfigSource source{path.string(), path.parent_path()};
+  ConfigNode root =
+      parse_yaml(read_text(path), std::make_shared<const ConfigSource>(std::move(source)));
+  if (root.kind == ConfigNode::Kind::kNull) throw InputError(quote(path.string()) + " is empty");
+  if (root.kind != ConfigNode::Kind::kMap) {
+    throw InputError("the top level must be a map of keys (" + root.where() + "), found " +
+                     root.found());
+  }
+  return root;
+}
+
+std::string to_yaml(const ConfigNode& node) {
+  YAML::Emitter out;
+  emit(out, node);
+  return std::string(out.c_str()) + "\n";
+}
+
+std::string to_yaml_line(const ConfigNode& node) {
+  YAML::Emitter out;
+  out.SetSeqFormat(YAML::Flow);
+  out.SetMapFormat(YAML::Flow);
+  emit(out, node);
+  return out.c_str();
+}
+
+}  // namespace deformlab

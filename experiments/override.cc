@@ -1,0 +1,118 @@
+#include "experiments/override.h"
+
+#include <charconv>
+#include <utility>
+
+#include "experiments/suggest.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+std::vector<std::string> split_key(const std::string& key, const std::string& whose) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    if (end == begin) {
+      throw InputError(whose +
+                       " has an empty name in its key; write names joined by single dots, "
+                       "such as graph.nodes");
+    }
+    names.push_back(key.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (names.size() > static_cast<std::size_t>(kMaxConfigDepth)) {
+    throw InputError(whose + " has more than " + std::to_string(kMaxConfigDepth) + " names");
+  }
+  return names;
+}
+
+ConfigNode& element(ConfigNode& list, const std::string& name, const std::string& whose) {
+  std::size_t index = 0;
+  const char* end = name.data() + name.size();
+  const auto [last, error] = std::from_chars(name.data(), end, index);
+  if (error != std::errc() || last != end || index >= list.children.size()) {
+    throw InputError(whose + ": no element " + quote(name) + " in the list (" + list.where() +
+                     "), which has " + std::to_string(list.children.size()) +
+                     " elements, counted from 0");
+  }
+  return list.children[index];
+}
+
+ConfigNode& step(ConfigNode& node, const std::string& name,
+                 const std::shared_ptr<const ConfigSource>& source) {
+  if (node.kind == ConfigNode::Kind::kList) return element(node, name, source->name);
+  if (node.kind == ConfigNode::Kind::kScalar) {
+    throw InputError(source->name + " looks for " + quote(name) + " inside " + node.found() + " (" +
+                     node.where() + "), which is not a map");
+  }
+  node.kind = ConfigNode::Kind::kMap;
+  if (ConfigNode* child = node.find(name)) return *child;
+  ConfigNode& child = node.children.emplace_back();
+  child.key = name;
+  child.source = source;
+  return child;
+}
+
+void check_sweep(const ConfigNode& sweep) {
+  if (sweep.kind != ConfigNode::Kind::kMap) {
+    throw InputError("'sweep' must map dotted keys to lists (" + sweep.where() + "), found " +
+                     sweep.found());
+  }
+  std::size_t runs = 1;
+  for (const ConfigNode& values : sweep.children) {
+    const std::string whose = "sweep over " + quote(values.key) + " (" + values.key_where() + ")";
+    split_key(values.key, whose);
+    if (values.kind != ConfigNode::Kind::kList || values.children.empty()) {
+      throw InputError(whose + " needs a list of one value or more, found " + values.found());
+    }
+    runs *= values.children.size();
+    if (runs > kMaxSweepRuns) {
+      throw InputError(whose + " makes more than " + std::to_string(kMaxSweepRuns) +
+                       " runs; shorten the lists");
+    }
+  }
+}
+
+}  // namespace
+
+Override parse_override(std::string_view text) {
+  const std::string whose = "override " + quote(text);
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos || equals == 0) {
+    throw InputError(whose + " must have the form key=value, such as graph.nodes=300");
+  }
+  Override change{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1)), {}};
+  split_key(change.key, whose);
+  return change;
+}
+
+void apply_override(ConfigNode& root, const Override& change) {
+  const auto source = std::make_shared<const ConfigSource>(
+      ConfigSource{"override " + quote(change.text()), change.folder, false});
+  const std::vector<std::string> names = split_key(change.key, source->name);
+  ConfigNode value = parse_yaml(change.value, source);
+  ConfigNode* node = &root;
+  for (const std::string& name : names) node = &step(*node, name, source);
+  value.key = std::move(node->key);
+  *node = std::move(value);
+}
+
+std::vector<std::vector<Override>> expand_sweep(const ConfigNode& sweep) {
+  std::vector<std::vector<Override>> runs(1);
+  if (sweep.kind == ConfigNode::Kind::kNull) return runs;
+  check_sweep(sweep);
+  for (const ConfigNode& values : sweep.children) {
+    std::vector<std::vector<Override>> longer;
+    for (const std::vector<Override>& run : runs) {
+      for (const ConfigNode& value : values.children) {
+        longer.push_back(run);
+        longer.back().push_back({values.key, to_yaml_line(value), value.folder()});
+      }
+    }
+    runs = std::move(longer);
+  }
+  return runs;
+}
+
+}  // namespace deformlab

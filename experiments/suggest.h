@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace deformlab {
+
+/// Fewest insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`,
+/// upper and lower case counting as equal (the optimal string alignment distance).
+int edit_distance(std::string_view a, std::string_view b);
+
+/// The known name that `given` was most likely meant to be; nothing where none is near. Of equally
+/// near names the first wins.
+std::optional<std::string> nearest_name(std::string_view given,
+                                        const std::vector<std::string>& known);
+
+/// "known: a, b, c; did you mean 'b'?", the question only where a known name is near.
+std::string known_names(std::string_view given, const std::vector<std::string>& known);
+
+/// 'text' in quotes for a message: long text is cut, control characters become '?', so that the
+/// message stays one readable line whatever the user gave.
+std::string quote(std::string_view text);
+
+}  // namespace deformlab

@@ -1,0 +1,400 @@
+#include "experiments/config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+
+#include "experiments/override.h"
+#include "experiments/suggest.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
+
+enum class Method { kGaussNewton, kCeres };
+
+struct Graph {
+  int nodes = 300;
+  std::uint64_t seed = 1;
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("nodes", o.nodes, "number of graph nodes");
+    visit("seed", o.seed, "seed of the sampling");
+  }
+};
+
+struct Claim {
+  std::string name;
+  double expected = 0;
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("name", o.name, "measured quantity");
+    visit("expected", o.expected, "its value");
+  }
+};
+
+struct Options {
+  std::filesystem::path shape;
+  bool record = false;
+  double tolerance = 1e-6;
+  std::string title = "plain";
+  std::string globalization = "none";
+  Method method = Method::kGaussNewton;
+  Eigen::Vector3d up = {0, 0, 1};
+  std::vector<int> sizes = {1, 2};
+  std::map<std::string, double> energies = {{"rotation", 1}, {"constraint", 100}};
+  std::optional<double> length_unit = 0.5;
+  Graph graph;
+  std::vector<Claim> claims;
+  ConfigNode sweep;
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("shape", o.shape, "file to deform");
+    visit("record", o.record, "write every step");
+    visit("tolerance", o.tolerance, "when to stop");
+    visit("title", o.title, "title of the figure");
+    visit.choice("globalization", o.globalization, {"none", "line_search"}, "step control");
+    visit.choice("method", o.method,
+                 {{"gauss_newton", Method::kGaussNewton}, {"ceres", Method::kCeres}}, "solver");
+    visit("up", o.up, "upward direction");
+    visit("sizes", o.sizes, "sizes");
+    visit("energies", o.energies, "weights by name");
+    visit("length_unit", o.length_unit, "unit of length");
+    visit("graph", o.graph, "deformation graph");
+    visit("claims", o.claims, "what must show");
+    visit("sweep", o.sweep, "runs to make");
+  }
+};
+
+ConfigNode parse(const std::string& text) {
+  return parse_yaml(text,
+                    std::make_shared<const ConfigSource>(ConfigSource{"c.yaml", "folder", true}));
+}
+
+Options read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  ConfigNode root = parse(text);
+  for (const std::string& change : overrides) apply_override(root, parse_override(change));
+  return read_config<Options>(root);
+}
+
+/// The message of the InputError that reading the text gives, or "" where it gives none.
+std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    read(text, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::filesystem::path write(const std::string& name, const std::string& text) {
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+std::string load_error(const std::filesystem::path& path) {
+  try {
+    load_config(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+const char* const kFull = R"(shape: a b.off
+record: true
+tolerance: 1e-3
+title: "12"   # quoted, so text
+globalization: line_search
+method: ceres
+up: [0, 1, 0]
+sizes: [5]
+energies: {rotation: 2}
+length_unit: ~
+graph: {nodes: 425, seed: 18446744073709551615}
+claims:
+  - name: "it's: \"rotated\"\n#1"
+    expected: -0.1
+  - name: ~x
+sweep: {graph.nodes: [1, '2']}
+)";
+
+TEST(Config, ReadsEveryTypeOfField) {
+  const Options o = read(kFull);
+  EXPECT_EQ(o.shape, "a b.off");
+  EXPECT_TRUE(o.record);
+  EXPECT_EQ(o.tolerance, 1e-3);
+  EXPECT_EQ(o.title, "12");
+  EXPECT_EQ(o.globalization, "line_search");
+  EXPECT_EQ(o.method, Method::kCeres);
+  EXPECT_EQ(o.up, Eigen::Vector3d(0, 1, 0));
+  EXPECT_THAT(o.sizes, ElementsAre(5));
+  EXPECT_EQ(o.length_unit, std::nullopt);
+  EXPECT_EQ(o.graph.nodes, 425);
+  EXPECT_EQ(o.graph.seed, 18446744073709551615u);
+  ASSERT_EQ(o.claims.size(), 2u);
+  EXPECT_EQ(o.claims[0].name, "it's: \"rotated\"\n#1");
+  EXPECT_EQ(o.claims[0].expected, -0.1);
+  EXPECT_EQ(o.sweep.kind, ConfigNode::Kind::kMap);
+}
+
+TEST(Config, MergesWeightsIntoTheDefaults) {
+  const Options o = read("{shape: x, energies: {rotation: 2}}");
+  EXPECT_THAT(o.energies, ElementsAre(std::pair("constraint", 100.0), std::pair("rotation", 2.0)));
+}
+
+TEST(Config, ResolvedConfigReadsBackTheSame) {
+  for (const char* text : {kFull, "shape: ''"}) {
+    const std::string resolved = to_yaml(to_node(read(text)));
+    EXPECT_EQ(to_yaml(to_node(read(resolved))), resolved);
+    EXPECT_THAT(resolved, HasSubstr("energies:\n  constraint: 100\n  rotation: "));
+  }
+  const Options again = read(to_yaml(to_node(read(kFull))));
+  EXPECT_EQ(again.claims[0].name, "it's: \"rotated\"\n#1");
+  EXPECT_EQ(again.claims[1].name, "~x");
+  EXPECT_EQ(again.length_unit, std::nullopt);
+  EXPECT_EQ(again.method, Method::kCeres);
+  EXPECT_TRUE(again.sweep.children[0].children[1].quoted);
+}
+
+TEST(Config, HelpComesFromTheSameDescription) {
+  const std::string help = to_text(describe<Options>());
+  EXPECT_THAT(help, HasSubstr("  shape              required"));
+  EXPECT_THAT(help, HasSubstr("  tolerance          1e-06 "));
+  EXPECT_THAT(help, HasSubstr("  graph.nodes        300 "));
+  EXPECT_THAT(help, HasSubstr("  claims[].name      required"));
+  EXPECT_THAT(help, HasSubstr("step control: none | line_search\n"));
+  EXPECT_THAT(help, HasSubstr("gauss_newton  "));
+}
+
+TEST(Config, UnknownKeyNamesLineKnownKeysAndNearest) {
+  EXPECT_EQ(error_of("shape: x\ngraph:\n  nods: 3\n"),
+            "unknown key 'nods' (line 3 of c.yaml); known: nodes, seed; did you mean 'nodes'?");
+  EXPECT_EQ(error_of("shpae: x"), error_of("shpae: x\n"));
+  EXPECT_THAT(error_of("shpae: x"), HasSubstr("did you mean 'shape'?"));
+  EXPECT_THAT(error_of("shape: x\nqqqqqq: 3"), AllOf(HasSubstr("line 2"), Not(HasSubstr("mean"))));
+}
+
+TEST(Config, MissingRequiredKeyIsNamedWithItsMap) {
+  EXPECT_EQ(error_of("record: true"), "missing key 'shape' (line 1 of c.yaml)");
+  EXPECT_EQ(error_of("shape: x\nclaims:\n- expected: 1"),
+            "missing key 'name' in 'claims[0]' (line 3 of c.yaml)");
+}
+
+TEST(Config, WrongTypesSayWhatIsThereAndWhatIsExpected) {
+  const std::vector<std::array<std::string, 3>> cases = {
+      {"record: yes", "true or false", "'yes'"},
+      {"record: 'true'", "true or false", "the quoted text 'true'"},
+      {"tolerance: small", "a finite number", "'small'"},
+      {"tolerance: '1'", "a finite number", "the quoted text '1'"},
+      {"tolerance:", "a finite number", "nothing"},
+      {"tolerance: .nan", "a finite number", "'.nan'"},
+      {"tolerance: nan", "a finite number", "'nan'"},
+      {"tolerance: inf", "a finite number", "'inf'"},
+      {"tolerance: 1e999", "a finite number", "'1e999'"},
+      {"tolerance: 1 2", "a finite number", "'1 2'"},
+      {"title: [a]", "text", "a list of 1"},
+      {"shape: {a: 1}", "a path", "a map"},
+      {"up: [1, 2]", "a list of 3 numbers", "a list of 2"},
+      {"up: 3", "a list of 3 numbers", "'3'"},
+      {"sizes: 3", "a list", "'3'"},
+      {"sizes: [1.5]", "a whole number from -2147483648 to 2147483647", "'1.5'"},
+      {"sizes: [2147483648]", "a whole number from -2147483648", "'2147483648'"},
+      {"energies: 3", "a map of keys", "'3'"},
+      {"graph: 3", "a map of keys", "'3'"},
+      {"graph: {nodes: 1e3}", "a whole number", "'1e3'"},
+      {"graph: {seed: -1}", "a whole number from 0 to 18446744073709551615", "'-1'"},
+      {"graph: {seed: 18446744073709551616}", "a whole number from 0", "'18446744073709551616'"},
+  };
+  for (const auto& [line, expected, found] : cases) {
+    const std::string first = line.starts_with("shape") ? "" : "shape: x";
+    EXPECT_THAT(error_of(first + "\n" + line),
+                AllOf(HasSubstr("line 2 of c.yaml"), HasSubstr("expected " + expected),
+                      HasSubstr("found " + found)))
+        << line;
+  }
+  EXPECT_THAT(error_of("shape: x\nup: [1, 2, z]"), HasSubstr("'up[2]' (line 2 of c.yaml)"));
+}
+
+TEST(Config, ChoicesListWhatIsAllowed) {
+  EXPECT_EQ(error_of("shape: x\nglobalization: linesearch"),
+            "unknown value 'linesearch' for 'globalization' (line 2 of c.yaml); known: none, "
+            "line_search; did you mean 'line_search'?");
+  EXPECT_THAT(error_of("shape: x\nmethod: cere"), HasSubstr("did you mean 'ceres'?"));
+}
+
+TEST(Config, KeysOfOtherKindsAreCheckedTheSameWay) {
+  const ConfigNode map = parse("rotation: 1\nrotaton: 2");
+  EXPECT_THAT(
+      [&] {
+        check_keys(map, {"constraint", "rotation"}, "energy");
+      },
+      ThrowsMessage<InputError>("unknown energy 'rotaton' (line 2 of c.yaml); known: "
+                                "constraint, rotation; did you mean 'rotation'?"));
+}
+
+TEST(Config, DuplicateKeysAreFoundAnywhereWithBothLines) {
+  EXPECT_THAT(error_of("shape: x\nrecord: true\nshape: y"),
+              HasSubstr("duplicate key 'shape' (line 1 and line 3 of c.yaml)"));
+  EXPECT_THAT(error_of("shape: x\nsweep:\n- - a: 1\n    'a': 2"),
+              HasSubstr("duplicate key 'a' (line 3 and line 4 of c.yaml)"));
+}
+
+TEST(Config, AliasesWorkAndMergeKeysAreRefused) {
+  EXPECT_EQ(read("shape: &name x.off\ntitle: *name").title, "x.off");
+  EXPECT_THAT(error_of("shape: x\ngraph: {<<: {nodes: 2}}"), HasSubstr("merge key '<<' (line 2"));
+  EXPECT_THAT(error_of("shape: *nobody"), HasSubstr("line 1 of c.yaml"));
+  EXPECT_THAT(error_of("shape: !include x"), HasSubstr("unknown tag '!include' (line 1"));
+  EXPECT_THAT(error_of("[a, b]: 1"), HasSubstr("a key must be a name (line 1"));
+}
+
+TEST(Config, AliasBombsAndDeepNestingAreRefused) {
+  std::string bomb = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (int i = 1; i < 12; ++i) {
+    const std::string last = "*a" + std::to_string(i - 1);
+    bomb += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + last;
+    for (int k = 0; k < 9; ++k) bomb += ", " + last;
+    bomb += "]\n";
+  }
+  EXPECT_THAT(error_of(bomb), HasSubstr("more than 1000000 values"));
+  EXPECT_THAT(error_of("sweep: &a [*a]"), HasSubstr("nested deeper than 64 levels (line 1"));
+  EXPECT_THAT(error_of(std::string(100, '[') + std::string(100, ']')), HasSubstr("nested deeper"));
+  EXPECT_THAT(error_of(std::string(20'000, '[')), HasSubstr("line 1 of c.yaml"));
+  EXPECT_THAT(error_of(std::string(20'000, '{')), HasSubstr("line 1 of c.yaml"));
+  std::string dashes;
+  for (int i = 0; i < 5'000; ++i) dashes += "- ";
+  EXPECT_THAT(error_of(dashes), HasSubstr("line 1 of c.yaml"));
+}
+
+TEST(Config, UnusableFilesAreNamed) {
+  const std::filesystem::path folder = ::testing::TempDir();
+  EXPECT_THAT(load_error(folder / "nothing.yaml"), HasSubstr("nothing.yaml': no such file"));
+  EXPECT_THAT(load_error(folder), HasSubstr("it is a folder"));
+  EXPECT_THAT(load_error(write("empty.yaml", "")), HasSubstr("empty.yaml' is empty"));
+  EXPECT_THAT(load_error(write("comment.yaml", "# only\n")), HasSubstr("is empty"));
+  EXPECT_THAT(load_error(write("list.yaml", "\n- 1\n")),
+              AllOf(HasSubstr("line 2 of"), HasSubstr("must be a map"), HasSubstr("a list of 1")));
+  EXPECT_THAT(load_error(write("broken.yaml", "a: 1\nb: [1, 2\nc: 3\n")),
+              AllOf(HasSubstr("not valid YAML (line 3 of"), HasSubstr("broken.yaml")));
+  EXPECT_THAT(load_error(write("two.yaml", "a: 1\n---\nb: 2\n")), HasSubstr("more than one YAML"));
+  EXPECT_THAT(load_error(write("cut.yaml", "a: \"b")), HasSubstr("line 1 of"));
+  EXPECT_NE(load_error(write("binary.yaml", std::string("\0\1\xff\x7f: \x89PNG", 10))), "");
+  const ConfigNode good = load_config(write("good.yaml", "a: 1\r\nb: 2\r\n"));
+  EXPECT_EQ(good.find("b")->text, "2");
+  EXPECT_EQ(good.find("b")->line, 2);
+  EXPECT_EQ(good.folder(), (folder / "x").parent_path());
+}
+
+TEST(Override, SetsValuesAndMakesMaps) {
+  const std::string text = "shape: x\nclaims:\n- name: a\n- name: b\nlength_unit: 3";
+  const Options o = read(text, {"graph.nodes=425", "claims.1.name=c", "up=[1, 0, 0]", "shape=a=b",
+                                "energies.rotation=7", "length_unit=", "graph.nodes=426"});
+  EXPECT_EQ(o.graph.nodes, 426);
+  EXPECT_EQ(o.graph.seed, 1u);
+  EXPECT_EQ(o.claims[1].name, "c");
+  EXPECT_EQ(o.up, Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(o.shape, "a=b");
+  EXPECT_EQ(o.energies.at("constraint"), 100);
+  EXPECT_EQ(o.energies.at("rotation"), 7);
+  EXPECT_EQ(o.length_unit, std::nullopt);
+}
+
+TEST(Override, IsNamedWhereItsKeyOrValueIsWrong) {
+  EXPECT_EQ(error_of("shape: x\ngraph:", {"graph.nods=3"}),
+            "unknown key 'nods' (override 'graph.nods=3'); known: nodes, seed; did you mean "
+            "'nodes'?");
+  EXPECT_THAT(error_of("shape: x", {"grph.nodes=3"}),
+              HasSubstr("unknown key 'grph' (override 'grph.nodes=3')"));
+  EXPECT_THAT(error_of("shape: x", {"graph.nodes=many"}),
+              HasSubstr("'graph.nodes' (override 'graph.nodes=many'): expected a whole number"));
+  EXPECT_THAT(error_of("shape: x", {"up=[1"}), HasSubstr("not valid YAML (override 'up=[1')"));
+  EXPECT_THAT(error_of("shape: x", {"graph={seed: 1, seed: 2}"}),
+              HasSubstr("duplicate key 'seed' (override 'graph={seed: 1, seed: 2}')"));
+  EXPECT_THAT(error_of("shape: x\nsizes: [1]", {"sizes.1=3"}),
+              AllOf(HasSubstr("override 'sizes.1=3': no element '1'"), HasSubstr("line 2")));
+  EXPECT_THAT(error_of("shape: x", {"shape.y=3"}),
+              HasSubstr("override 'shape.y=3' looks for 'y' inside 'x' (line 1 of c.yaml)"));
+}
+
+TEST(Override, MalformedOnesAreRefused) {
+  for (const char* text : {"=3", "nodes", ""}) {
+    EXPECT_THAT([&] { parse_override(text); },
+                ThrowsMessage<InputError>(HasSubstr("must have the form key=value")))
+        << text;
+  }
+  for (const char* text : {"a..b=1", ".a=1", "a.=1", ".=1"}) {
+    EXPECT_THAT([&] { parse_override(text); },
+                ThrowsMessage<InputError>(HasSubstr("has an empty name in its key")))
+        << text;
+  }
+  std::string deep = "a";
+  for (int i = 0; i < 100'000; ++i) deep += ".a";
+  EXPECT_THAT([&] { parse_override(deep + "=1"); },
+              ThrowsMessage<InputError>(HasSubstr("more than 64 names")));
+}
+
+std::vector<std::string> texts(const std::vector<std::vector<Override>>& runs) {
+  std::vector<std::string> all;
+  for (const auto& run : runs) {
+    std::string text;
+    for (const Override& change : run) text += change.text() + ";";
+    all.push_back(text);
+  }
+  return all;
+}
+
+TEST(Sweep, IsTheCartesianProductInFileOrder) {
+  const ConfigNode sweep = parse("{b.c: [1, 'x: y'], a: [[0, 0, 1], {k: ~}, null]}");
+  EXPECT_THAT(
+      texts(expand_sweep(sweep)),
+      ElementsAre("b.c=1;a=[0, 0, 1];", "b.c=1;a={k: ~};", "b.c=1;a=~;",
+                  "b.c=\"x: y\";a=[0, 0, 1];", "b.c=\"x: y\";a={k: ~};", "b.c=\"x: y\";a=~;"));
+  EXPECT_EQ(expand_sweep(sweep)[0][0].folder, "folder");
+  EXPECT_THAT(texts(expand_sweep(ConfigNode{})), ElementsAre(""));
+}
+
+TEST(Sweep, RefusesWhatIsNoSweep) {
+  const auto error = [](const std::string& text) -> std::string {
+    try {
+      expand_sweep(parse(text));
+    } catch (const InputError& caught) {
+      return caught.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(error("a: [1]\nb: []"), HasSubstr("sweep over 'b' (line 2 of c.yaml) needs a list"));
+  EXPECT_THAT(error("a: 3"), HasSubstr("found '3'"));
+  EXPECT_THAT(error("[1]"), HasSubstr("'sweep' must map dotted keys to lists (line 1"));
+  EXPECT_THAT(error("a..b: [1]"), HasSubstr("empty name"));
+  std::string hundred = "[0";
+  for (int i = 1; i < 100; ++i) hundred += ", " + std::to_string(i);
+  const std::string allowed = "a: " + hundred + "]\nb: " + hundred + "]\n";
+  EXPECT_EQ(expand_sweep(parse(allowed)).size(), kMaxSweepRuns);
+  EXPECT_THAT(error(allowed + "c: [1, 2]"),
+              AllOf(HasSubstr("more than 10000 runs"), HasSubstr("line 3")));
+}
+
+TEST(Suggest, CountsEditsAndNamesTheNearest) {
+  EXPECT_EQ(edit_distance("rotaton", "rotation"), 1);
+  EXPECT_EQ(edit_distance("shpae", "shape"), 1);
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+  EXPECT_EQ(edit_distance("Nodes", "nodes"), 0);
+  EXPECT_EQ(nearest_name("neighbours", {"nodes", "neighbors"}), "neighbors");
+  EXPECT_EQ(nearest_name("colour", {"nodes", "seed"}), std::nullopt);
+  EXPECT_EQ(nearest_name("x", {}), std::nullopt);
+  EXPECT_EQ(known_names("x", {}), "known: none");
+  EXPECT_EQ(quote("a\nb"), "'a?b'");
+  EXPECT_EQ(quote(std::string(1000, 'a')), "'" + std::string(60, 'a') + "…'");
+}
+
+}  // namespace
+}  // namespace deformlab
