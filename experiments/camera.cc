@@ -28,6 +28,9 @@ void set_opening(const Camera& camera, int width, int height, View& view) {
   if (!(camera.field_of_view > 0 && camera.field_of_view < 180))
     throw InputError("cannot use a field of view of " + std::to_string(camera.field_of_view) +
                      " degrees: it must lie between 0 and 180");
+  if (!(camera.margin >= 0 && camera.margin < 0.5))
+    throw InputError("cannot leave a margin of " + std::to_string(camera.margin) +
+                     " of the picture: it must lie in [0, 0.5)");
   view.tan_y = std::tan(camera.field_of_view * std::numbers::pi / 360);
   view.tan_x = view.tan_y * width / height;
 }

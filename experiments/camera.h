@@ -26,7 +26,7 @@ struct View {
 
 /// The nearest view that shows all of `points` (3×n, [length]) in a picture of the given shape.
 /// Throws InputError where a point is not finite or the camera has no direction, looks along its
-/// own up, or has a field of view outside (0, 180).
+/// own up, or has a field of view outside (0, 180) or a margin outside [0, 0.5).
 View frame(const Eigen::Matrix3Xd& points, const Camera& camera, int width, int height);
 
 }  // namespace deformlab

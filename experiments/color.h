@@ -8,7 +8,7 @@ namespace deformlab {
 using Color = Eigen::Vector3d;  ///< sRGB, each in 0..1
 
 namespace colors {
-inline const Color kSurface{0.86, 0.84, 0.80};
+inline const Color kSurface{0.87, 0.84, 0.805};
 inline const Color kFixed{0.50, 0.78, 0.53};   ///< vertices that are held
 inline const Color kHandle{1.00, 0.80, 0.10};  ///< where a moved vertex is
 inline const Color kTarget{0.90, 0.30, 0.20};  ///< where it should be

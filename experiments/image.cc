@@ -1,9 +1,13 @@
 #include "experiments/image.h"
 
+#include <cairo-ft.h>
 #include <cairo.h>
+#include <ft2build.h>
+#include FT_FREETYPE_H
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <system_error>
 
 #include "geometry/error.h"
@@ -11,6 +15,7 @@
 namespace deformlab {
 namespace {
 
+constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr int kLargestSide = 32767;  // what Cairo can hold
 constexpr double kCaptionHeight = 0.075, kSmallestCaption = 24;
 constexpr double kFontSize = 0.58;  // as a part of the caption's height
@@ -21,6 +26,7 @@ using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 Surface to_cairo(const Image& image) {
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height),
                   cairo_surface_destroy);
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
   unsigned char* data = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
   for (int y = 0; y < image.height; ++y) {
@@ -54,6 +60,22 @@ void copy(const Image& from, Image& to, int left, int top) {
     std::copy_n(from.pixel(0, y), 3 * from.width, to.pixel(left, top + y));
 }
 
+cairo_font_face_t* load_font() {
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  if (FT_Init_FreeType(&library) != 0 || FT_New_Face(library, kFont, 0, &face) != 0)
+    throw InputError(std::string("cannot set a caption: no font at '") + kFont +
+                     "'; install the package fonts-dejavu-core");
+  return cairo_ft_font_face_create_for_ft_face(face, 0);
+}
+
+/// Read from its file, because what fontconfig would choose differs from machine to machine. Cairo
+/// keeps what it drew with, so the font lives as long as the process.
+cairo_font_face_t* font() {
+  static cairo_font_face_t* const face = load_font();
+  return face;
+}
+
 /// Sets the font so that the text fits into `width`, and tells how wide and high it then is.
 cairo_text_extents_t fit_text(cairo_t* cairo, const std::string& text, double size, double width) {
   // Hinting depends on the machine's settings: without it the same text gives the same bytes.
@@ -64,7 +86,7 @@ cairo_text_extents_t fit_text(cairo_t* cairo, const std::string& text, double si
   cairo_set_font_options(cairo, options);
   cairo_font_options_destroy(options);
 
-  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_face(cairo, font());
   cairo_set_font_size(cairo, size);
   cairo_text_extents_t extents{};
   cairo_text_extents(cairo, text.c_str(), &extents);
@@ -80,9 +102,9 @@ void draw_text(cairo_t* cairo, const std::string& text, double width, double top
   const cairo_text_extents_t extents = fit_text(cairo, text, size, 0.96 * width);
   if (cairo_status(cairo) == CAIRO_STATUS_INVALID_STRING)
     throw InputError("cannot draw the caption '" + text + "': it is not UTF-8");
-  if (cairo_status(cairo) != CAIRO_STATUS_SUCCESS || extents.x_advance <= 0)
+  if (cairo_status(cairo) != CAIRO_STATUS_SUCCESS)
     throw InputError("cannot draw the caption '" + text +
-                     "': no font found; install the package fonts-dejavu-core");
+                     "': " + cairo_status_to_string(cairo_status(cairo)));
   cairo_set_source_rgb(cairo, 0.15, 0.15, 0.17);
   cairo_move_to(cairo, (width - extents.width) / 2 - extents.x_bearing,
                 top + height / 2 + 0.36 * size);

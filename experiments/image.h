@@ -28,7 +28,7 @@ struct Image {
 
 /// The image with the text centred in a white strip below it; an empty text gives the image itself.
 /// A text too wide for the image is set smaller. Throws InputError where the text is not UTF-8 or
-/// no font is installed.
+/// the font (DejaVu Sans) is not installed.
 Image with_caption(const Image& image, const std::string& text);
 
 /// The images row by row in `columns` columns, each centred in a cell as large as the largest.

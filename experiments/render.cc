@@ -30,9 +30,15 @@ struct Lights {
     return (d.x() * view.right + d.y() * view.up - d.z() * view.forward).normalized().cast<float>();
   }
 
+  /// A large light still reaches a little way around the edge where the cosine is zero.
+  static float soft(float cosine) {
+    constexpr float kWrap = 0.15F;
+    return std::max(0.0F, (cosine + kWrap) / (1 + kWrap));
+  }
+
   Eigen::Vector3f shade(const Eigen::Vector3f& albedo, const Eigen::Vector3f& n, float open) const {
-    const float direct = 0.85F * std::max(0.0F, n.dot(key)) * (0.4F + 0.6F * open) +
-                         0.20F * std::max(0.0F, n.dot(fill)) * open;
+    const float direct =
+        0.85F * soft(n.dot(key)) * (0.4F + 0.6F * open) + 0.18F * soft(n.dot(fill)) * open;
     const float ambient = (0.26F + 0.10F * n.dot(sky)) * (0.15F + 0.85F * open);
     return (direct + ambient) * albedo;
   }
@@ -47,9 +53,9 @@ struct Overlay {
 
 void require_finite(const Eigen::Vector3d& place, double radius, const Color& color,
                     const std::string& what) {
-  if (place.allFinite() && std::isfinite(radius) && color.allFinite()) return;
+  if (place.allFinite() && std::isfinite(radius) && radius >= 0 && color.allFinite()) return;
   throw InputError("cannot draw " + what +
-                   ": its position, radius and colour must be finite numbers");
+                   ": its position, radius and colour must be finite, and its radius not negative");
 }
 
 Eigen::Vector4f framed_ball(const View& view, const Eigen::Vector3d& center, double radius) {
@@ -58,7 +64,7 @@ Eigen::Vector4f framed_ball(const View& view, const Eigen::Vector3d& center, dou
   return ball.cast<float>();
 }
 
-void add_balls(const std::vector<Ball>& balls, const View& view, Overlay& overlay) {
+void lay_balls(const std::vector<Ball>& balls, const View& view, Overlay& overlay) {
   const auto count = static_cast<Eigen::Index>(balls.size());
   Eigen::Matrix4Xf columns(4, count);
   overlay.color[0].resize(3, count);
@@ -72,7 +78,7 @@ void add_balls(const std::vector<Ball>& balls, const View& view, Overlay& overla
   overlay.scene.add_balls(columns);
 }
 
-void add_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& overlay) {
+void lay_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& overlay) {
   const auto count = static_cast<Eigen::Index>(sticks.size());
   Eigen::Matrix4Xf ends(4, 2 * count);
   overlay.color[1].resize(3, count);
@@ -92,8 +98,8 @@ void add_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& ove
 struct Scene {
   Scene(const Panel& panel, const View& v)
       : view(v), lights(v), surface(panel.shape, panel.vertex_colors, v) {
-    add_balls(panel.balls, view, overlay);
-    add_sticks(panel.sticks, view, overlay);
+    lay_balls(panel.balls, view, overlay);
+    lay_sticks(panel.sticks, view, overlay);
     overlay.scene.commit();
   }
 
@@ -158,6 +164,17 @@ Eigen::Matrix3Xd tinted(const Shape& shape, const std::vector<int>& vertices, co
     all.col(v) = color;
   }
   return all;
+}
+
+void add_balls(Panel& panel, const Eigen::Matrix3Xd& places, double radius, const Color& color) {
+  for (const auto& place : places.colwise()) panel.balls.push_back({place, radius, color});
+}
+
+void add_graph(Panel& panel, const DeformationGraph& graph, const Eigen::Matrix3Xd& places,
+               double radius) {
+  add_balls(panel, places, radius, colors::kNode);
+  for (const GraphEdge& edge : graph.edges)
+    panel.sticks.push_back({places.col(edge.j), places.col(edge.k), radius / 3, colors::kEdge});
 }
 
 Eigen::Matrix3Xd extent(const std::vector<Panel>& panels) {

@@ -7,6 +7,7 @@
 #include "experiments/camera.h"
 #include "experiments/color.h"
 #include "experiments/image.h"
+#include "geometry/deformation_graph.h"
 #include "geometry/shape.h"
 
 namespace deformlab {
@@ -45,6 +46,17 @@ struct RenderOptions {
 /// 3×#V: colors::kSurface, and `color` at the vertices named.
 Eigen::Matrix3Xd tinted(const Shape& shape, const std::vector<int>& vertices,
                         const Color& color = colors::kFixed);
+
+/// Radii that read well, as parts of the rest shape's bounding box diagonal.
+inline constexpr double kNodeRadius = 0.004, kHandleRadius = 0.011;
+
+/// Adds a ball for each column of `places` (3×n) [length].
+void add_balls(Panel& panel, const Eigen::Matrix3Xd& places, double radius, const Color& color);
+
+/// Adds a deformation graph with its nodes at `places` (3×m, deformed or at rest) [length]: balls
+/// of the radius, and sticks a third as thick.
+void add_graph(Panel& panel, const DeformationGraph& graph, const Eigen::Matrix3Xd& places,
+               double radius);
 
 /// The positions of all that the panels show, 3×n [length]: what `frame` needs to fit them all.
 Eigen::Matrix3Xd extent(const std::vector<Panel>& panels);

@@ -106,10 +106,25 @@ TEST(Render, BallsAndSticksShowEvenSlightlyInside) {
   EXPECT_LT(stick.pixel(25, 30)[1], 20);
 }
 
+TEST(Render, GraphIsBallsAtItsNodesAndSticksAlongItsEdges) {
+  const Shape shape = square();
+  const DeformationGraph graph{shape.V, {{0, 1, 1.0}, {1, 2, 1.0}}};
+  Panel panel{.shape = &shape};
+  add_graph(panel, graph, shape.V * 0.5, 0.06);
+  ASSERT_EQ(panel.balls.size(), 4U);
+  ASSERT_EQ(panel.sticks.size(), 2U);
+  EXPECT_EQ(panel.sticks[1].b, shape.V.col(2) * 0.5);
+  const Image image = picture(panel);
+  EXPECT_GT(image.pixel(26, 43)[2], image.pixel(26, 43)[0] + 40);  // node 0
+  EXPECT_GT(image.pixel(40, 43)[2], image.pixel(40, 43)[0] + 40);  // the edge from 0 to 1
+  EXPECT_LT(image.pixel(40, 16)[2], image.pixel(40, 16)[0]);       // 2 and 3 share none
+}
+
 TEST(Render, DeepOverlayFadesOut) {
   const Shape shape = square();
   const Panel panel{.shape = &shape, .balls = {{{0, 0, -1}, 0.1, Color(1, 0, 0)}}};
-  const std::uint8_t* p = picture(panel).pixel(40, 30);
+  const Image image = picture(panel);
+  const std::uint8_t* p = image.pixel(40, 30);
   EXPECT_LT(p[0] - p[1], 20);
 }
 
