@@ -1,12 +1,7 @@
 #include "geometry/sampling.h"
 
-#include <CGAL/Random.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/point_generators_3.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
@@ -20,37 +15,37 @@
 namespace deformlab {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
 
 constexpr int kDensity = 30;  // dense points for each node that was asked for
 constexpr int kFewestDense = 10000;
 constexpr int kMostPasses = 100;  // of the search for the radius
 
-double area(const Shape& shape, const Eigen::Matrix3Xi& T) {
-  double sum = 0;
-  for (const auto t : T.colwise()) {
-    const Eigen::Vector3d a = shape.V.col(t[1]) - shape.V.col(t[0]);
-    const Eigen::Vector3d b = shape.V.col(t[2]) - shape.V.col(t[0]);
-    sum += a.cross(b).norm() / 2;
+Eigen::VectorXd areas(const Shape& shape, const Eigen::Matrix3Xi& T) {
+  Eigen::VectorXd result(T.cols());
+  for (Eigen::Index i = 0; i < T.cols(); ++i) {
+    const Eigen::Vector3d a = shape.V.col(T(1, i)) - shape.V.col(T(0, i));
+    const Eigen::Vector3d b = shape.V.col(T(2, i)) - shape.V.col(T(0, i));
+    result[i] = a.cross(b).norm() / 2;
   }
-  return sum;
+  return result;
 }
 
+// Uniform over the area. (CGAL's generator draws its barycentric coordinates from a global source,
+// so that a seed would not be enough to repeat a run.)
 Eigen::Matrix3Xd points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi& T, int count,
                                      std::uint64_t seed) {
-  std::vector<Kernel::Point_3> points;
-  for (const auto v : shape.V.colwise()) points.emplace_back(v[0], v[1], v[2]);
-  std::vector<std::array<std::size_t, 3>> corners;
-  for (const auto t : T.colwise()) {
-    corners.push_back({std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2])});
-  }
-  CGAL::Random random(static_cast<unsigned>(seed ^ (seed >> 32)));
-  CGAL::Random_points_in_triangle_soup<std::vector<Kernel::Point_3>, std::array<std::size_t, 3>,
-                                       CGAL::Creator_uniform_3<double, Kernel::Point_3>>
-      next(corners, points, random);
+  const Eigen::VectorXd area = areas(shape, T);
+  std::mt19937_64 random(seed);
+  std::discrete_distribution<Eigen::Index> triangle(area.begin(), area.end());
+  std::uniform_real_distribution<double> uniform;
   Eigen::Matrix3Xd result(3, count);
-  for (int i = 0; i < count; ++i, ++next) result.col(i) << next->x(), next->y(), next->z();
+  for (auto point : result.colwise()) {
+    const Eigen::Vector3i t = T.col(triangle(random));
+    const double root = std::sqrt(uniform(random)), along = uniform(random);
+    point = (1 - root) * shape.V.col(t[0]) + root * (1 - along) * shape.V.col(t[1]) +
+            root * along * shape.V.col(t[2]);
+  }
   return result;
 }
 
@@ -140,7 +135,7 @@ Eigen::Matrix3Xd eliminate_to(const Eigen::Matrix3Xd& dense, int m, double guess
 Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed) {
   if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
   const Eigen::Matrix3Xi T = triangles(shape);
-  const double surface = area(shape, T);
+  const double surface = areas(shape, T).sum();
   const int count = std::max(kDensity * m, kFewestDense);
   const Eigen::Matrix3Xd dense = surface > 0 ? points_on_triangles(shape, T, count, seed) : shape.V;
   const double extent = surface > 0 ? surface : std::pow(bounding_box_diagonal(shape.V), 2);
