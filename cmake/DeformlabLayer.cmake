@@ -5,6 +5,7 @@ add_library(deformlab_flags INTERFACE)
 target_compile_features(deformlab_flags INTERFACE cxx_std_20)
 target_compile_options(deformlab_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of "a" + std::string (its bug 105651)
   $<$<BOOL:${DEFORMLAB_NATIVE}>:-march=native>)
 if(DEFORMLAB_SANITIZE)
   add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-omit-frame-pointer)
