@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# installed_package.sh CMAKE BUILD CONSUMER SANITIZERS: installs the library into a new folder and
+# installed_package.sh CMAKE BUILD CONSUMER [SANITIZERS]: installs the library into a new folder and
 # builds and runs a project there that knows nothing but find_package(deformlab).
 set -euo pipefail
 
-cmake=$1 build=$2 consumer=$3 sanitizers=$4
+cmake=$1 build=$2 consumer=$3 sanitizers=${4-}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
