@@ -1,0 +1,111 @@
+#include "experiments/claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "experiments/suggest.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+bool matches(const MeasuredRun& run, const ConfigNode& filter) {
+  return std::all_of(filter.children.begin(), filter.children.end(), [&](const ConfigNode& wanted) {
+    const std::string value = to_yaml_line(wanted);
+    return std::any_of(run.settings.begin(), run.settings.end(), [&](const auto& setting) {
+      return setting.first == wanted.key && setting.second == value;
+    });
+  });
+}
+
+double metric(const Metrics& metrics, const Claim& claim) {
+  const auto found = metrics.find(claim.measure);
+  if (found != metrics.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, value] : metrics) known.push_back(name);
+  throw InputError("claim '" + claim.name + "': unknown measure " + quote(claim.measure) + "; " +
+                   known_names(claim.measure, known));
+}
+
+std::vector<double> values(const Claim& claim, const ConfigNode& filter,
+                           const std::vector<MeasuredRun>& runs) {
+  std::vector<double> result;
+  for (const MeasuredRun& run : runs) {
+    if (matches(run, filter)) result.push_back(metric(run.metrics, claim));
+  }
+  if (result.empty()) {
+    throw InputError("claim '" + claim.name + "': no run has " + to_yaml_line(filter));
+  }
+  return result;
+}
+
+double mean(const std::vector<double>& v) {
+  double sum = 0;
+  for (const double x : v) sum += x;
+  return sum / static_cast<double>(v.size());
+}
+
+// How far beyond what is allowed; the largest is the worst.
+double excess(const Claim& claim, double x) {
+  if (!std::isfinite(x)) return INFINITY;
+  double result = -INFINITY;
+  if (claim.at_least) result = std::max(result, *claim.at_least - x);
+  if (claim.at_most) result = std::max(result, x - *claim.at_most);
+  if (claim.equals) {
+    result = std::max(result, std::abs(x - *claim.equals) - claim.within * std::abs(*claim.equals));
+  }
+  return result;
+}
+
+double measured(const Claim& claim, const std::vector<MeasuredRun>& runs) {
+  const std::vector<double> v = values(claim, claim.where, runs);
+  if (!claim.versus.children.empty()) return mean(v) / mean(values(claim, claim.versus, runs));
+  if (claim.over == "mean") return mean(v);
+  if (claim.over == "spread") {
+    const auto [low, high] = std::minmax_element(v.begin(), v.end());
+    return (*high - *low) / std::abs(mean(v));
+  }
+  return *std::max_element(v.begin(), v.end(),
+                           [&](double a, double b) { return excess(claim, a) < excess(claim, b); });
+}
+
+std::string expected(const Claim& claim) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (claim.at_least) add("at least " + number(*claim.at_least));
+  if (claim.at_most) add("at most " + number(*claim.at_most));
+  if (claim.equals) {
+    add(number(*claim.equals) +
+        (claim.within > 0 ? " within " + number(100 * claim.within) + " %" : ""));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ClaimResult::line() const {
+  std::string text = "claim " + name + ": measured " + number(measured) + ", expected " + expected;
+  text += holds ? " ok" : " falls short";
+  if (!holds && !known.empty()) text += " (known: " + known + ")";
+  return text;
+}
+
+ClaimResult check(const Claim& claim, const std::vector<MeasuredRun>& runs) {
+  if (!claim.at_least && !claim.at_most && !claim.equals) {
+    throw InputError("claim '" + claim.name +
+                     "' expects nothing: give at_least, at_most or equals");
+  }
+  ClaimResult result{claim.name, claim.says, expected(claim), claim.known, 0, false};
+  result.measured = measured(claim, runs);
+  result.holds = excess(claim, result.measured) <= 0;
+  return result;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/config_node.h"
+#include "experiments/measurements.h"
+
+namespace deformlab {
+
+/// A statement about measurements that a config carries, and that its run checks.
+struct Claim {
+  std::string name;
+  std::string says;
+  std::string measure;
+  ConfigNode where, versus;
+  std::string over = "worst";
+  std::optional<double> at_least, at_most, equals;
+  double within = 0;
+  std::string known;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("name", o.name, "what the claim is called");
+    visit("says", o.says, "the statement, quoted from the paper where it is the paper's");
+    visit.required("measure", o.measure, "name of a metric");
+    visit("where", o.where, "the runs of a sweep that it speaks of: dotted keys and their values");
+    visit("versus", o.versus, "other runs: what is measured is then the ratio of the two means");
+    visit.choice("over", o.over, {"worst", "mean", "spread"},
+                 "several runs: the worst of them, their mean, or (max − min) / |mean|");
+    visit("at_least", o.at_least, "smallest value that is expected");
+    visit("at_most", o.at_most, "largest value that is expected");
+    visit("equals", o.equals, "value that is expected, up to `within`");
+    visit("within", o.within, "relative deviation from `equals` that is allowed");
+    visit("known", o.known, "why it falls short, where that is known: then it fails nothing");
+  }
+};
+
+/// One run of a sweep as claims see it: what was set, and what came out.
+struct MeasuredRun {
+  std::vector<std::pair<std::string, std::string>> settings;  ///< dotted key, value as YAML
+  Metrics metrics;
+};
+
+struct ClaimResult {
+  std::string name, says, expected, known;
+  double measured = 0;
+  bool holds = false;
+
+  /// `claim NAME: measured X, expected … ok`, or `falls short`.
+  std::string line() const;
+};
+
+/// Throws InputError where a claim expects nothing, or names runs or a metric that do not exist.
+ClaimResult check(const Claim& claim, const std::vector<MeasuredRun>& runs);
+
+}  // namespace deformlab

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "deformers/embedded_deformation.h"
+#include "experiments/claims.h"
+#include "experiments/config_node.h"
+#include "experiments/scene.h"
+
+namespace deformlab {
+
+/// What a config's picture shows.
+struct PictureOptions {
+  Eigen::Vector3d direction{0.5, 1.0, -0.6};
+  Eigen::Vector3d up{0, 0, 1};
+  int width = 800;
+  int height = 600;
+  int columns = 0;
+  bool graph = true;
+  bool frames = false;
+  bool rest = true;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("direction", o.direction, "of view, from the eye into the scene");
+    visit("up", o.up, "what points up in the picture");
+    visit("width", o.width, "of one panel [pixel]");
+    visit("height", o.height, "of one panel [pixel]");
+    visit("columns", o.columns, "panels beside each other; 0: two for one run, four for a sweep");
+    visit("graph", o.graph, "draw the deformation graph");
+    visit("frames", o.frames, "draw a square at each node that shows its R_j");
+    visit("rest", o.rest, "a panel of the rest shape first");
+  }
+};
+
+/// One config file: one figure, table or ablation, with the numbers that it must show.
+struct ExperimentConfig {
+  std::string title;
+  std::string paper;
+  ShapeOptions shape;
+  EmbeddedDeformationOptions deformation;
+  ConfigNode edit;
+  PictureOptions picture;
+  ConfigNode sweep;
+  std::vector<Claim> claims;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("title", o.title, "one line for the gallery");
+    visit("paper", o.paper, "what the paper says of it");
+    visit("shape", o.shape, "what is deformed");
+    EmbeddedDeformationOptions::fields(o.deformation, visit);
+    visit.required("edit", o.edit, "list of selections and what happens to them");
+    visit("picture", o.picture, "how it is drawn");
+    visit("sweep", o.sweep, "dotted keys and lists of values: every combination is run");
+    visit("claims", o.claims, "what the measurements must show");
+  }
+};
+
+}  // namespace deformlab
