@@ -15,6 +15,7 @@ namespace deformlab {
 ///        vertex, numbered in the order of their first appearance. Its facet normals are not read.
 ///   XYZ  a point a line. Columns 4 to 6 are N where all have unit length within 1 %.
 /// Normals are normalised. Throws InputError where the file cannot be read whole, or `check` does.
+/// (OBJ and XYZ do not say how long they are: one that was cut between two lines is read.)
 Shape read_shape(const std::filesystem::path& path);
 
 /// Writes a shape in the format that the extension of `out` tells: whole, or not at all.
@@ -27,7 +28,8 @@ Shape read_shape(const std::filesystem::path& path);
 /// left out; this takes in those of an OBJ that are not one a vertex. STL's are made anew.
 ///
 /// Otherwise positions and faces are written, and normals except to STL; nothing else is carried
-/// over. PLY and STL are then binary. STL takes faces only, cut into triangles, in float32.
+/// over. PLY and STL are then binary. STL takes faces only, cut into triangles, in float32; XYZ
+/// takes no faces; in OBJ faces of one or two corners become points and lines.
 ///
 /// `out` may be `source`. Throws InputError where `shape` fails `check`, does not fit `source`, or
 /// cannot be written.

@@ -17,7 +17,7 @@ std::int64_t absolute(std::string_view word, std::size_t count, const std::strin
   const std::optional<std::int64_t> value = to_integer(word);
   constexpr std::int64_t kMax = std::numeric_limits<int>::max();
   if (!value || *value == 0 || *value > kMax || *value < -kMax) {
-    reject(name, owner + ": '" + std::string(word) + "' is not an index; they count from 1, or " +
+    reject(name, owner + ": " + quoted(word) + " is not an index; they count from 1, or " +
                      "from -1 backwards");
   }
   return *value > 0 ? *value - 1 : static_cast<std::int64_t>(count) + *value;
@@ -47,7 +47,7 @@ class Scanner {
   }
 
   void vertex() {
-    const std::string owner = "vertex " + std::to_string(scan_.vertices) + ", " + lines_.number();
+    const std::string owner = lines_.owner("vertex", scan_.vertices);
     const std::span<const Token> words = three_words(owner);
     append(scan_.layout.positions, words, name_, owner);
     scan_.plain += 'v';
@@ -64,7 +64,7 @@ class Scanner {
 
   void face() {
     const std::span<const Token> words(lines_.tokens());
-    const std::string owner = "face " + std::to_string(scan_.faces) + ", " + lines_.number();
+    const std::string owner = lines_.owner("face", scan_.faces);
     if (words.size() < 4) reject(name_, owner + ": it has fewer than 3 corners");
     scan_.plain += 'f';
     for (const Token& word : words.subspan(1)) {
@@ -80,8 +80,7 @@ class Scanner {
     Corner corner;
     const std::size_t first = word.text.find('/');
     corner.v = absolute(word.text.substr(0, first), scan_.vertices, name_, owner);
-    if (corner.v < 0)
-      reject(name_, owner + ": there is no vertex '" + std::string(word.text) + "'");
+    if (corner.v < 0) reject(name_, owner + ": there is no vertex " + quoted(word.text));
     if (first == std::string_view::npos) return corner;
     const std::size_t second = word.text.find('/', first + 1);
     if (second == std::string_view::npos) return corner;

@@ -47,7 +47,7 @@ Header read_header(Lines& lines, Scan& scan, const std::string& name) {
 
 void read_vertex(const Lines& lines, bool has_normals, Scan& scan, const std::string& name) {
   const std::span<const Token> words(lines.tokens());
-  const std::string owner = "vertex " + std::to_string(scan.vertices) + ", " + lines.number();
+  const std::string owner = lines.owner("vertex", scan.vertices);
   if (words.size() < (has_normals ? 6u : 3u)) {
     reject(name, owner + ": it has " + std::to_string(words.size()) + " numbers instead of " +
                      (has_normals ? "6" : "3") + " or more");
@@ -64,7 +64,7 @@ void read_vertex(const Lines& lines, bool has_normals, Scan& scan, const std::st
 
 void read_face(const Lines& lines, Scan& scan, const std::string& name) {
   const std::span<const Token> words(lines.tokens());
-  const std::string owner = "face " + std::to_string(scan.faces) + ", " + lines.number();
+  const std::string owner = lines.owner("face", scan.faces);
   const auto corners =
       static_cast<std::size_t>(std::max<std::int64_t>(to_integer(words[0].text).value_or(0), 0));
   if (corners == 0 || corners >= words.size()) {
@@ -74,7 +74,7 @@ void read_face(const Lines& lines, Scan& scan, const std::string& name) {
   for (const Token& word : words.subspan(1, corners)) {
     const std::int64_t vertex = to_integer(word.text).value_or(-1);
     if (vertex < 0 || vertex >= static_cast<std::int64_t>(scan.vertices)) {
-      reject(name, owner + ": there is no vertex '" + std::string(word.text) + "', only 0 to " +
+      reject(name, owner + ": there is no vertex " + quoted(word.text) + ", only 0 to " +
                        std::to_string(scan.vertices - 1));
     }
     scan.plain.append(" ").append(std::to_string(vertex));

@@ -48,7 +48,12 @@ class Scanner {
   }
 
  private:
-  std::string where() const { return owner_->name + " " + std::to_string(row_); }
+  std::string where() const {
+    const std::string kind = owner_->is_vertex() ? "vertex"
+                             : owner_->is_face() ? "face"
+                                                 : "row of " + quoted(owner_->name);
+    return kind + " " + std::to_string(row_) + " (counted from 0)";
+  }
 
   std::string begin_vertices(const PlyElement& element) {
     std::string text = "element vertex " + std::to_string(element.rows) + "\n";
@@ -135,7 +140,7 @@ class Scanner {
       number.size = std::min(bytes_.find_first_of(kBlanks, number.at), bytes_.size()) - number.at;
     }
     if (number.size == 0 || number.size > bytes_.size() - number.at) {
-      reject(name_, "it announces " + std::to_string(owner_->rows) + " of element " + owner_->name +
+      reject(name_, "it announces " + std::to_string(owner_->rows) + " of element " + quoted(owner_->name) +
                         ", but ends in number " + std::to_string(row_));
     }
     at_ = number.at + number.size;
@@ -146,7 +151,7 @@ class Scanner {
     const std::string_view piece = bytes_.substr(number.at, number.size);
     if (header_.encoding != Encoding::kText) return binary_integer(piece, type, header_.encoding);
     const std::optional<std::int64_t> value = to_integer(piece);
-    if (!value) reject(name_, where() + ": '" + std::string(piece) + "' is not an integer");
+    if (!value) reject(name_, where() + ": " + quoted(piece) + " is not an integer");
     return *value;
   }
 

@@ -22,7 +22,7 @@ PlyType type_of(std::string_view word, const std::string& name, const std::strin
       {"double", {Kind::kReal, 8}},     {"float64", {Kind::kReal, 8}},
   };
   const auto found = known.find(word);
-  if (found == known.end()) reject(name, line + ": unknown type '" + std::string(word) + "'");
+  if (found == known.end()) reject(name, line + ": unknown type " + quoted(word));
   return found->second;
 }
 

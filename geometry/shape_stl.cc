@@ -54,7 +54,7 @@ std::string lower(std::string_view word) {
 void read_line(const Lines& lines, Scan& scan, const std::string& name) {
   const std::span<const Token> words(lines.tokens());
   const std::string keyword = lower(words[0].text);
-  const std::string owner = "facet " + std::to_string(scan.faces) + ", " + lines.number();
+  const std::string owner = lines.owner("facet", scan.faces);
   if (keyword == "facet") {
     if (words.size() < 5) reject(name, owner + ": it needs a normal of 3 numbers");
     for (const Token& word : words.subspan(2, 3)) {

@@ -112,6 +112,19 @@ void Lines::split() {
   }
 }
 
+std::string Lines::owner(const char* kind, std::size_t index) const {
+  std::string text = kind;
+  text.append(" ").append(std::to_string(index)).append(" (counted from 0), ");
+  return text + number();
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = "'";
+  for (const char c : word.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > kLongest ? "...'" : "'");
+}
+
 std::optional<double> to_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
@@ -140,9 +153,9 @@ void append(std::vector<Number>& to, std::span<const Token> words, const std::st
             const std::string& owner, bool is_single) {
   for (const Token& word : words) {
     const std::optional<double> value = to_number(word.text);
-    if (!value) reject(name, owner + ": '" + std::string(word.text) + "' is not a number");
+    if (!value) reject(name, owner + ": " + quoted(word.text) + " is not a number");
     if (!std::isfinite(is_single ? static_cast<float>(*value) : *value)) {
-      reject(name, owner + ": '" + std::string(word.text) + "' is not finite" +
+      reject(name, owner + ": " + quoted(word.text) + " is not finite" +
                        (is_single ? " as float32" : ""));
     }
     to.push_back({word.at, word.text.size(), is_single});

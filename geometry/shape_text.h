@@ -31,6 +31,8 @@ class Lines {
   const std::vector<Token>& tokens() const { return tokens_; }
   Span span() const { return {begin_, end_ - begin_}; }  ///< with its line break
   std::string number() const { return "line " + std::to_string(number_); }
+  /// What errors call the thing on this line: face 3 (counted from 0), line 12.
+  std::string owner(const char* kind, std::size_t index) const;
 
  private:
   void find_end();
@@ -42,6 +44,9 @@ class Lines {
   int number_ = 0, next_number_ = 1;
   std::vector<Token> tokens_;
 };
+
+/// The word in quotation marks, fit to be shown: shortened, and without unprintable bytes.
+std::string quoted(std::string_view word);
 
 /// The whole word as a number (infinite where it is too large), or nothing.
 std::optional<double> to_number(std::string_view word);

@@ -19,7 +19,7 @@ bool are_normals(const std::vector<Number>& numbers, std::string_view bytes) {
 
 void read_point(const Lines& lines, std::size_t columns, Scan& scan, const std::string& name) {
   const std::span<const Token> words(lines.tokens());
-  const std::string owner = "vertex " + std::to_string(scan.vertices) + ", " + lines.number();
+  const std::string owner = lines.owner("vertex", scan.vertices);
   if (words.size() != columns || columns < 3) {
     reject(name, owner + ": it has " + std::to_string(words.size()) + " numbers; there must be " +
                      (columns < 3 ? "3 or more" : std::to_string(columns) + " as before"));
