@@ -53,8 +53,8 @@ struct Selection {
   }
 };
 
-/// Rotation by the right-hand rule.
-struct Rotation {
+/// A rotation of the selection, by the right-hand rule.
+struct Turn {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< any length but 0
   double degrees = 0;
   std::optional<Eigen::Vector3d> center;  ///< the centroid of the selection where not given
@@ -75,7 +75,7 @@ struct EditEntry {
   /// Where the selection goes [length]: one vertex to this point, several as a rigid body whose
   /// centroid comes to lie there, without rotation.
   std::optional<Eigen::Vector3d> to;
-  std::optional<Rotation> rotate;
+  std::optional<Turn> rotate;
   std::string where;  ///< "edit entry 2 (line 5 of edit.yaml)", for messages
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace deformlab {
+
+/// `deformlab run CONFIG… [key=value]… [--out DIR]`: runs each config, prints its claims, writes
+/// DIR/<config>/ and rewrites DIR/README.md. Returns 1 where a claim falls short, else 0.
+int run_command(const std::vector<std::string>& arguments, const std::filesystem::path& out);
+
+/// What `deformlab deform` is told by flags.
+struct DeformFlags {
+  std::string edit, out, metrics, picture;
+  int nodes = 0;  ///< 0: the default of graph.nodes
+};
+
+/// `deformlab deform SHAPE --edit EDIT.yaml --out OUT [--nodes N] [key=value]… [--metrics
+/// FILE.json]
+/// [--picture FILE.png]`. Returns 1 where the solver could not take a step, with nothing written.
+int deform_command(const std::vector<std::string>& arguments, const DeformFlags& flags);
+
+/// What `deformlab help` and `deformlab list` print.
+std::string help_text();
+std::string list_text();
+
+}  // namespace deformlab

@@ -1,0 +1,41 @@
+#include "energies/catalog.h"
+#include "experiments/commands.h"
+#include "experiments/config.h"
+#include "experiments/edit.h"
+#include "experiments/experiment.h"
+
+namespace deformlab {
+
+std::string help_text() {
+  return R"(deformlab: shape deformation by nonlinear least squares
+
+  deformlab run CONFIG… [key=value]… [--out DIR]
+      runs experiments, checks their claims, writes DIR/<config>/ (DIR: results)
+  deformlab deform SHAPE --edit EDIT.yaml --out OUT [--nodes N] [key=value]…
+                   [--metrics FILE.json] [--picture FILE.png]
+      deforms a shape of your own (.off .obj .ply .stl .xyz)
+  deformlab list     the energies, solvers and their options
+  deformlab help     this text, and every key of a config
+
+Flags of the log: --minloglevel=0 tells more, --minloglevel=2 less.
+
+Keys of a config, their defaults and meanings; key=value sets one from the command line:
+)" + to_text(describe<ExperimentConfig>()) +
+         "\nEntries of `edit:`, in a config or in EDIT.yaml:\n" + to_text(describe<EditEntry>());
+}
+
+std::string list_text() {
+  const auto structure = [](Structure s) {
+    return s == Structure::kSeparable ? "separable"
+           : s == Structure::kLinear  ? "linear"
+                                      : "nonlinear";
+  };
+  std::string text = "Energies (name, default weight, structure):\n";
+  for (const EnergyInfo& info : known_energies()) {
+    text += "  " + info.name + "  " + to_yaml_line(to_node(info.default_weight)) + "  " +
+            structure(info.structure) + "\n";
+  }
+  return text + "\nDeformation:\n" + to_text(describe<EmbeddedDeformationOptions>());
+}
+
+}  // namespace deformlab

@@ -1,0 +1,68 @@
+#include <gflags/gflags.h>
+#include <glog/logging.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "experiments/commands.h"
+#include "experiments/suggest.h"
+#include "geometry/error.h"
+
+DEFINE_string(out, "", "run: the folder of results; deform: the file of the deformed shape");
+DEFINE_string(edit, "", "deform: the YAML file of what is selected and where it goes");
+DEFINE_string(metrics, "", "deform: a JSON file for the measurements");
+DEFINE_string(picture, "", "deform: a PNG file of the shape before and after");
+DEFINE_int32(nodes, 0, "deform: number of graph nodes");
+
+namespace {
+
+using namespace deformlab;
+
+int dispatch(const std::string& command, const std::vector<std::string>& arguments) {
+  if (command == "run") return run_command(arguments, FLAGS_out.empty() ? "results" : FLAGS_out);
+  if (command == "deform") {
+    return deform_command(arguments,
+                          {FLAGS_edit, FLAGS_out, FLAGS_metrics, FLAGS_picture, FLAGS_nodes});
+  }
+  if (command == "help" || command == "list") {
+    std::fputs((command == "help" ? help_text() : list_text()).c_str(), stdout);
+    return 0;
+  }
+  throw InputError("unknown command " + quote(command) + "; " +
+                   known_names(command, {"run", "deform", "list", "help"}));
+}
+
+bool asks_for_help(int argc, char** argv) {
+  if (argc < 2) return true;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--help" || argument == "-help" || argument == "-h") return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Quiet unless asked: warnings only, without the prefix that a log file needs.
+  FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_WARNING;
+  FLAGS_log_prefix = false;
+  const bool help = asks_for_help(argc, argv);
+  if (!help) gflags::ParseCommandLineFlags(&argc, &argv, true);
+  google::InitGoogleLogging("deformlab");
+  try {
+    if (help) return dispatch("help", {});
+    if (argc < 2) throw InputError("no command; known: run, deform, list, help");
+    return dispatch(argv[1], {argv + 2, argv + argc});
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "deformlab: %s\n", e.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "deformlab: out of memory: use fewer nodes or a smaller shape\n");
+    return 3;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "deformlab: %s\n", e.what());
+    return 3;
+  }
+}

@@ -1,0 +1,75 @@
+#include "experiments/pictures.h"
+
+#include <algorithm>
+
+namespace deformlab {
+namespace {
+
+constexpr std::size_t kMostHandleBalls = 60;  // more are a region, which its tint shows better
+
+// A square at each deformed node, as its R_j deforms it: the quadrilaterals of Figure 2.
+void add_frames(Panel& panel, const DeformationGraph& graph, const Transformations& X,
+                double half) {
+  const std::array<Eigen::Vector3d, 4> corners{
+      Eigen::Vector3d(half, half, 0), {-half, half, 0}, {-half, -half, 0}, {half, -half, 0}};
+  for (Eigen::Index j = 0; j < graph.g.cols(); ++j) {
+    const Eigen::Vector3d center = graph.g.col(j) + X.col(4 * j + 3);
+    for (int c = 0; c < 4; ++c) {
+      const Eigen::Vector3d a = center + X.middleCols<3>(4 * j) * corners[c];
+      const Eigen::Vector3d b = center + X.middleCols<3>(4 * j) * corners[(c + 1) % 4];
+      panel.sticks.push_back({a, b, half / 12, colors::kTarget});
+    }
+  }
+}
+
+Eigen::Matrix3Xd deformed_nodes(const DeformationGraph& graph, const Transformations& X) {
+  Eigen::Matrix3Xd places = graph.g;
+  for (Eigen::Index j = 0; j < places.cols(); ++j) places.col(j) += X.col(4 * j + 3);
+  return places;
+}
+
+}  // namespace
+
+void PictureBook::add(const Shape& shape, const EmbeddedDeformation& deformer,
+                      const Transformations& X, const ResolvedEdit& edit,
+                      const std::string& caption) {
+  shapes_.push_back(std::make_unique<Shape>(shape));
+  Panel panel{.shape = shapes_.back().get(), .caption = caption};
+  const double size = bounding_box_diagonal(shape.V);
+  panel.vertex_colors = tinted(shape, edit.handles.fixed);
+  const auto& moved = edit.handles.moved;
+  if (moved.size() > kMostHandleBalls) {
+    for (const int i : moved) panel.vertex_colors.col(i) = colors::kHandle;
+  } else {
+    add_balls(panel, shape.V(Eigen::all, moved), kHandleRadius * size, colors::kHandle);
+  }
+  if (options_.graph) {
+    add_graph(panel, deformer.graph(), deformed_nodes(deformer.graph(), X), kNodeRadius * size);
+  }
+  if (options_.frames)
+    add_frames(panel, deformer.graph(), X, 0.25 * mean_edge_length(deformer.graph()));
+  panels_.push_back(std::move(panel));
+}
+
+void PictureBook::add_rest(const EmbeddedDeformation& deformer, const Shape& rest,
+                           const ResolvedEdit& edit) {
+  if (!options_.rest) return;
+  add(rest, deformer, rest_transformations(deformer.graph().g.cols()), edit, "rest shape");
+}
+
+void PictureBook::add_deformed(const EmbeddedDeformation& deformer, const ResolvedEdit& edit,
+                               const std::string& caption) {
+  add(deformer.deformed(), deformer, deformer.transformations(), edit, caption);
+}
+
+Image PictureBook::render() const {
+  RenderOptions options;
+  options.width = options_.width;
+  options.height = options_.height;
+  options.camera.direction = options_.direction;
+  options.camera.up = options_.up;
+  const int columns = options_.columns > 0 ? options_.columns : panels_.size() <= 2 ? 2 : 4;
+  return render_grid(panels_, options, std::min<int>(columns, static_cast<int>(panels_.size())));
+}
+
+}  // namespace deformlab

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "deformers/embedded_deformation.h"
+#include "experiments/edit.h"
+#include "experiments/experiment.h"
+#include "experiments/image.h"
+#include "experiments/render.h"
+
+namespace deformlab {
+
+/// Collects the panels of an experiment's picture: the rest shape, then what each run made of it,
+/// with fixed vertices tinted and handles, their targets and the graph drawn in.
+class PictureBook {
+ public:
+  explicit PictureBook(const PictureOptions& options) : options_(options) {}
+
+  void add_rest(const EmbeddedDeformation& deformer, const Shape& rest, const ResolvedEdit& edit);
+  void add_deformed(const EmbeddedDeformation& deformer, const ResolvedEdit& edit,
+                    const std::string& caption);
+  bool empty() const { return panels_.empty(); }
+  Image render() const;
+
+ private:
+  void add(const Shape& shape, const EmbeddedDeformation& deformer, const Transformations& X,
+           const ResolvedEdit& edit, const std::string& caption);
+
+  PictureOptions options_;
+  std::vector<std::unique_ptr<Shape>> shapes_;  // the panels point at them
+  std::vector<Panel> panels_;
+};
+
+}  // namespace deformlab

@@ -1,0 +1,214 @@
+#include "experiments/results.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+
+#include "experiments/environment.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// Columns of a sweep's table, beside the keys that it sweeps.
+constexpr const char* kTableMetrics[] = {"iterations",          "converged", "cost",
+                                         "handle_rms_relative", "min_det_R", "shear_mean",
+                                         "stretch_max"};
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+Json json(const Metrics& metrics) {
+  Json object = Json::object();
+  for (const auto& [name, value] : metrics) object[name] = value;
+  return object;
+}
+
+Json settings(const MeasuredRun& run) {
+  Json object = Json::object();
+  for (const auto& [key, value] : run.settings) object[key] = value;
+  return object;
+}
+
+Json solver_json(const Summary& s) {
+  return {{"method", s.method},
+          {"linear_solver", s.linear_solver},
+          {"globalization", s.globalization},
+          {"status", to_string(s.status)},
+          {"message", s.message}};
+}
+
+std::string metrics_json(const Outcome& outcome) {
+  Json document{{"title", outcome.config.title}, {"paper", outcome.config.paper}};
+  document["claims"] = Json::array();
+  for (const ClaimResult& claim : outcome.claims) {
+    document["claims"].push_back({{"name", claim.name},
+                                  {"says", claim.says},
+                                  {"expected", claim.expected},
+                                  {"measured", claim.measured},
+                                  {"holds", claim.holds},
+                                  {"known", claim.known}});
+  }
+  document["runs"] = Json::array();
+  for (const Run& run : outcome.runs) {
+    document["runs"].push_back({{"settings", settings(run.measured)},
+                                {"solver", solver_json(run.solve)},
+                                {"metrics", json(run.measured.metrics)},
+                                {"notes", run.notes}});
+  }
+  return document.dump(1) + "\n";
+}
+
+std::string times_json(const Outcome& outcome) {
+  Json document = Json::array();
+  for (const Run& run : outcome.runs) {
+    Json iterations = Json::array();
+    for (const Iteration& i : run.solve.iterations) iterations.push_back(i.seconds);
+    document.push_back({{"settings", settings(run.measured)},
+                        {"seconds", json(run.seconds)},
+                        {"iterations", iterations}});
+  }
+  return document.dump(1) + "\n";
+}
+
+std::string trace_csv(const Summary& solve) {
+  std::ostringstream csv;
+  csv << "iteration,cost,gradient_max,step_max,step_scale,damping\n";
+  csv.precision(12);
+  csv << "0," << solve.initial_cost << ",,,,\n";
+  int number = 0;
+  for (const Iteration& i : solve.iterations) {
+    csv << ++number << ',' << i.cost << ',' << i.gradient_max << ',' << i.step_max << ','
+        << i.step_scale << ',' << i.damping << '\n';
+  }
+  return csv.str();
+}
+
+std::string trace_name(std::size_t run, std::size_t runs) {
+  if (runs == 1) return "trace.csv";
+  char name[32];
+  std::snprintf(name, sizeof name, "trace_%03zu.csv", run + 1);
+  return name;
+}
+
+std::string table_md(const Outcome& outcome) {
+  std::string head = "|", rule = "|";
+  const auto column = [&](const std::string& name) {
+    head += " " + name + " |";
+    rule += "---|";
+  };
+  for (const auto& [key, value] : outcome.runs.front().measured.settings) column(key);
+  for (const char* name : kTableMetrics) column(name);
+  std::string text = head + "\n" + rule + "\n";
+  for (const Run& run : outcome.runs) {
+    text += "|";
+    for (const auto& [key, value] : run.measured.settings) text += " " + value + " |";
+    for (const char* name : kTableMetrics) {
+      const auto found = run.measured.metrics.find(name);
+      text += found == run.measured.metrics.end() ? "  |" : " " + number(found->second) + " |";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+bool is_trace(const fs::path& name) { return name.string().starts_with("trace"); }
+
+}  // namespace
+
+void write_text(const fs::path& path, const std::string& text) {
+  const fs::path partial = path.string() + ".partial" + std::to_string(getpid());
+  std::ofstream file(partial, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) fs::rename(partial, path, error);
+  if (!file || error) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw InputError("cannot write '" + path.string() + "': " +
+                     (error ? error.message() : "the folder is missing, read-only or full"));
+  }
+}
+
+AtomicFolder::AtomicFolder(fs::path target) : target_(std::move(target)) {
+  std::error_code error;
+  fs::create_directories(target_.parent_path().empty() ? "." : target_.parent_path(), error);
+  const bool taken = !error && fs::exists(target_, error) && !fs::is_directory(target_, error);
+  temporary_ = target_.parent_path() /
+               ("." + target_.filename().string() + ".partial" + std::to_string(getpid()));
+  if (!error && !taken) fs::create_directory(temporary_, error);
+  if (!error && !taken) return;
+  throw InputError("cannot write the folder '" + target_.string() +
+                   "': " + (taken ? "a file of that name is in the way" : error.message()));
+}
+
+AtomicFolder::~AtomicFolder() {
+  std::error_code ignored;
+  fs::remove_all(temporary_, ignored);
+}
+
+void AtomicFolder::commit() {
+  try {
+    const fs::path old = temporary_.string() + ".old";
+    if (fs::exists(target_)) {
+      for (const auto& entry : fs::directory_iterator(target_)) {  // what others put there stays
+        const fs::path name = entry.path().filename();
+        if (fs::exists(temporary_ / name) || is_trace(name) || name == "table.md") continue;
+        fs::copy(entry.path(), temporary_ / name, fs::copy_options::recursive);
+      }
+      fs::rename(target_, old);
+    }
+    fs::rename(temporary_, target_);
+    fs::remove_all(old);
+  } catch (const fs::filesystem_error& e) {
+    throw InputError("cannot write the folder '" + target_.string() + "': " + e.code().message());
+  }
+}
+
+void write_results(const Outcome& outcome, const fs::path& folder) {
+  write_text(folder / "config.yaml", to_yaml(outcome.resolved));
+  write_text(folder / "metrics.json", metrics_json(outcome));
+  write_text(folder / "times.json", times_json(outcome));
+  write_text(folder / "environment.json", Json(environment()).dump(1) + "\n");
+  for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
+    write_text(folder / trace_name(i, outcome.runs.size()), trace_csv(outcome.runs[i].solve));
+  }
+  if (outcome.runs.size() > 1) write_text(folder / "table.md", table_md(outcome));
+  write_png(outcome.picture, folder / "picture.png");
+}
+
+std::string to_json(const Report& report) {
+  Json document{{"solver", report.solve.method},
+                {"linear_solver", report.solve.linear_solver},
+                {"globalization", report.solve.globalization},
+                {"status", to_string(report.solve.status)},
+                {"message", report.solve.message}};
+  for (const auto& [name, value] : metrics_of(report)) {
+    if (!name.starts_with("cost")) document[name] = value;
+  }
+  for (const char* count : {"nodes", "edges", "unknowns", "iterations", "factorizations"}) {
+    document[count] = document[count].get<long>();
+  }
+  document["cost"] = {{"total", report.solve.final_cost},
+                      {"by_term", json(report.solve.cost_by_term)}};
+  document["seconds"] = json(report.seconds);
+  document["seconds"]["solve_by_phase"] = json(report.solve.seconds);
+  document["blas"] = report.solve.blas;
+  document["threads"] = report.solve.threads;
+  document["notes"] = report.notes;
+  document["environment"] = Json(environment());
+  return document.dump(1) + "\n";
+}
+
+}  // namespace deformlab

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiments/claims.h"
+#include "experiments/experiment.h"
+#include "experiments/image.h"
+#include "experiments/override.h"
+
+namespace deformlab {
+
+/// One run of an experiment.
+struct Run {
+  MeasuredRun measured;
+  Metrics seconds;
+  Summary solve;
+  std::vector<std::string> notes;
+};
+
+/// All that an experiment gave.
+struct Outcome {
+  ExperimentConfig config;
+  ConfigNode resolved;  ///< the config with every default and override in it
+  std::vector<Run> runs;
+  std::vector<ClaimResult> claims;
+  Image picture;
+};
+
+/// Called before each run, with its number from 1, how many there are, and what it sets.
+using Progress = std::function<void(std::size_t, std::size_t, const std::string&)>;
+
+/// Runs the config at `path` with the overrides applied: each combination of its sweep, then the
+/// claims, then the picture. Throws InputError for anything in the config that cannot be used.
+Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
+                       const Progress& progress);
+
+/// `solver.method=ceres graph.nodes=425`; empty for a config without a sweep.
+std::string label(const MeasuredRun& run);
+
+}  // namespace deformlab

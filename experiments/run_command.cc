@@ -1,0 +1,61 @@
+#include <cstdio>
+#include <exception>
+
+#include "experiments/commands.h"
+#include "experiments/results.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where the program stands, on standard error: the results' own place is standard output.
+void show_progress(const std::string& name, std::size_t i, std::size_t n, const std::string& what) {
+  std::fprintf(stderr, "%s: run %zu of %zu%s%s\n", name.c_str(), i, n, what.empty() ? "" : ": ",
+               what.c_str());
+}
+
+// True where every claim holds, or falls short for a known reason.
+bool run_config(const fs::path& config, const std::vector<Override>& overrides,
+                const fs::path& out) {
+  const std::string name = config.stem().string();
+  AtomicFolder folder(out / name);
+  const Outcome outcome = run_experiment(config, overrides, [&](auto i, auto n, const auto& what) {
+    show_progress(name, i, n, what);
+  });
+  write_results(outcome, folder.path());
+  folder.commit();
+  bool good = true;
+  for (const ClaimResult& claim : outcome.claims) {
+    std::printf("%s\n", claim.line().c_str());
+    good = good && (claim.holds || !claim.known.empty());
+  }
+  std::printf("%s: %zu run%s, results in %s\n", name.c_str(), outcome.runs.size(),
+              outcome.runs.size() == 1 ? "" : "s", (out / name).string().c_str());
+  std::fflush(stdout);
+  return good;
+}
+
+}  // namespace
+
+int run_command(const std::vector<std::string>& arguments, const fs::path& out) {
+  std::vector<fs::path> configs;
+  std::vector<Override> overrides;
+  for (const std::string& argument : arguments) {
+    if (argument.find('=') != std::string::npos && !fs::exists(argument)) {
+      overrides.push_back(parse_override(argument));
+    } else {
+      configs.emplace_back(argument);
+    }
+  }
+  if (configs.empty()) {
+    throw InputError("run which config? for example: deformlab run configs/sumner_figure_3.yaml");
+  }
+  bool good = true;
+  for (const fs::path& config : configs) good = run_config(config, overrides, out) && good;
+  write_gallery(out);
+  return good ? 0 : 1;
+}
+
+}  // namespace deformlab
