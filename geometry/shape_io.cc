@@ -81,7 +81,8 @@ void write_bytes(const fs::path& out, std::string_view bytes) {
   }
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (fs::exists(target, error)) fs::permissions(temporary, fs::status(target).permissions(), error);
+  if (fs::exists(target, error))
+    fs::permissions(temporary, fs::status(target).permissions(), error);
   if (file) fs::rename(temporary, target, error);
   if (!file || error) {
     const std::string why = file ? error.message() : "the disk may be full";

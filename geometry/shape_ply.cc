@@ -140,8 +140,8 @@ class Scanner {
       number.size = std::min(bytes_.find_first_of(kBlanks, number.at), bytes_.size()) - number.at;
     }
     if (number.size == 0 || number.size > bytes_.size() - number.at) {
-      reject(name_, "it announces " + std::to_string(owner_->rows) + " of element " + quoted(owner_->name) +
-                        ", but ends in number " + std::to_string(row_));
+      reject(name_, "it announces " + std::to_string(owner_->rows) + " of element " +
+                        quoted(owner_->name) + ", but ends in number " + std::to_string(row_));
     }
     at_ = number.at + number.size;
     return number;
