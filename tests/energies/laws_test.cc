@@ -1,0 +1,126 @@
+#include "tests/energies/laws_suite.h"
+
+namespace deformlab::test {
+namespace {
+
+INSTANTIATE_TYPED_TEST_SUITE_P(AllTerms, Laws, MembersOf<AllTerms>::Types, TermNames);
+
+// What follows breaks one law each: the laws must notice.
+template <Structure structure>
+struct Squared {  // r = c1 + c2 ∘ c2
+  static constexpr std::string_view kName = "squared";
+  static constexpr Structure kStructure = structure;
+  template <class T>
+  Vector3<T> operator()(const Matrix3<T>& R) const {
+    return R.col(0) + R.col(1).cwiseProduct(R.col(1));
+  }
+};
+
+template <Structure structure>
+struct Mixed {  // r = (c1.y, c1.z, c1.x): affine, but not the same for every coordinate
+  static constexpr std::string_view kName = "mixed";
+  static constexpr Structure kStructure = structure;
+  template <class T>
+  Vector3<T> operator()(const Matrix3<T>& R) const {
+    return {R(1, 0), R(2, 0), R(0, 0)};
+  }
+};
+
+template <Structure structure>
+struct Sum {  // r = c1 + c2: separable
+  static constexpr std::string_view kName = "sum";
+  static constexpr Structure kStructure = structure;
+  template <class T>
+  Vector3<T> operator()(const Matrix3<T>& R) const {
+    return R.col(0) + R.col(1);
+  }
+};
+
+struct WrongJacobian {
+  static constexpr std::string_view kName = "wrong_jacobian";
+  static constexpr Structure kStructure = Structure::kNonlinear;
+  template <class T>
+  Eigen::Matrix<T, 1, 1> operator()(const Matrix3<T>& R) const {
+    return Eigen::Matrix<T, 1, 1>(R.col(0).squaredNorm());
+  }
+  Eigen::Matrix<double, 1, 9> jacobian(const Eigen::Matrix3d& R) const {
+    Eigen::Matrix<double, 1, 9> J = Eigen::Matrix<double, 1, 9>::Zero();
+    J.head<3>() = R.col(0).transpose();  // the factor 2 is missing
+    return J;
+  }
+};
+
+struct ForgetsARow {
+  static constexpr std::string_view kName = "forgets_a_row";
+  static constexpr Structure kStructure = Structure::kSeparable;
+  template <class T>
+  Vector3<T> operator()(const Matrix3<T>& R) const {
+    return {R(0, 0), R(1, 0), T(NAN)};
+  }
+};
+
+template <class Term>
+Terms<Term> at_every_node(const Problem& problem) {
+  Terms<Term> sum;
+  for (int j = 0; j < problem.nodes(); ++j) sum.add({}, {j});
+  return sum;
+}
+
+template <class Term>
+AssertionResult structure_of(const Problem& problem) {
+  const auto x = states(problem);
+  return has_declared_structure(TermEnergy<Term>(at_every_node<Term>(problem)), x[1], x[2]);
+}
+
+const Problem& problem() {
+  static const Problem result = random_problem(8);
+  return result;
+}
+
+TEST(LawsBite, OnAFalseStructure) {
+  EXPECT_FALSE(structure_of<Squared<Structure::kSeparable>>(problem()));
+  EXPECT_FALSE(structure_of<Squared<Structure::kLinear>>(problem()));
+  EXPECT_TRUE(structure_of<Squared<Structure::kNonlinear>>(problem()));
+  EXPECT_FALSE(structure_of<Mixed<Structure::kSeparable>>(problem()));
+  EXPECT_TRUE(structure_of<Mixed<Structure::kLinear>>(problem()));
+  EXPECT_TRUE(structure_of<Sum<Structure::kSeparable>>(problem()));
+}
+
+TEST(LawsBite, OnAStructureWeakerThanItCouldBe) {
+  EXPECT_FALSE(structure_of<Sum<Structure::kLinear>>(problem()));
+  EXPECT_FALSE(structure_of<Sum<Structure::kNonlinear>>(problem()));
+  EXPECT_FALSE(structure_of<Mixed<Structure::kNonlinear>>(problem()));
+}
+
+TEST(LawsBite, OnAWrongDerivative) {
+  using Right = Squared<Structure::kNonlinear>;
+  const Unknowns x = states(problem())[1];
+  EXPECT_FALSE(derivatives_agree(at_every_node<WrongJacobian>(problem()), x));
+  EXPECT_TRUE(derivatives_agree(at_every_node<Right>(problem()), x));
+}
+
+TEST(LawsBite, OnATermThatIsNotZeroAtRest) {
+  using Term = Sum<Structure::kSeparable>;
+  EXPECT_FALSE(zero_at_rest(TermEnergy<Term>(at_every_node<Term>(problem())), problem().rest()));
+}
+
+TEST(LawsBite, OnATermThatARigidMotionChanges) {
+  using Term = Squared<Structure::kNonlinear>;
+  const TermEnergy<Term> energy(at_every_node<Term>(problem()));
+  EXPECT_FALSE(rigidly_invariant(energy, problem(), states(problem())[1]));
+}
+
+TEST(LawsBite, OnAResidualThatIsNotWritten) {
+  const TermEnergy<ForgetsARow> energy(at_every_node<ForgetsARow>(problem()));
+  EXPECT_FALSE(all_written_and_finite(energy, problem().rest()));
+}
+
+TEST(LawsBite, OnNames) {
+  EXPECT_TRUE(is_lower_snake_case("rotation_2d"));
+  for (const char* name : {"", "Rotation", "2d", "as rigid", "rotation_", "as-rigid"}) {
+    EXPECT_FALSE(is_lower_snake_case(name));
+  }
+}
+
+}  // namespace
+}  // namespace deformlab::test

@@ -1,0 +1,15 @@
+# Writes the term that CONTRIBUTING.md shows to OUTPUT_DIR, under the name that it gives it there, so
+# that the tests build the very text.
+function(deformlab_extract_term output_dir)
+  set(page ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+  file(READ ${page} text)
+  if(NOT text MATCHES "here `(energies/[a-z0-9_]+\\.h)`")
+    message(FATAL_ERROR "CONTRIBUTING.md does not name the file of its term")
+  endif()
+  set(name ${CMAKE_MATCH_1})
+  if(NOT text MATCHES "```cpp\n(#pragma once[^`]*)```")
+    message(FATAL_ERROR "CONTRIBUTING.md does not show a term")
+  endif()
+  file(CONFIGURE OUTPUT ${output_dir}/${name} CONTENT "${CMAKE_MATCH_1}" @ONLY)
+endfunction()

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "energies/unknowns.h"
+#include "geometry/deformation_graph.h"
+#include "geometry/transfer.h"
+#include "tests/support/shapes.h"
+
+namespace deformlab::test {
+
+/// A deformation graph, and handles embedded in it.
+struct Problem {
+  DeformationGraph graph;
+  Embedding handles;
+
+  int nodes() const { return static_cast<int>(graph.g.cols()); }
+  Unknowns rest() const { return Unknowns::uniform(rest_transformations(nodes()), nodes()); }
+};
+
+/// The nodes `g`, joined over the points `v`; those in the first and the last tenth along x are the
+/// handles. Everything is in units of the mean edge.
+inline Problem make_problem(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, int k) {
+  const Embedding shape = embed(v, g, k);
+  Problem problem{connect(g, shape, "overlap"), {}};
+  const double low = v.row(0).minCoeff(), high = v.row(0).maxCoeff();
+  std::vector<int> ends;
+  for (int i = 0; i < v.cols(); ++i) {
+    const double along = (v(0, i) - low) / (high - low);
+    if (along < 0.1 || along > 0.9) ends.push_back(i);
+  }
+  problem.handles = subset(shape, ends);
+  const double unit = mean_edge_length(problem.graph);
+  problem.graph.g /= unit;
+  problem.handles.v /= unit;
+  return problem;
+}
+
+/// m nodes at random in a thick plate, with 15 points a node.
+inline Problem random_problem(int m, int k = 4, unsigned seed = 1) {
+  const Eigen::Vector3d size(3, 1, 0.3);
+  return make_problem(random_points(m, size, seed), random_points(15 * m, size, seed + 1), k);
+}
+
+/// Where the handles go: the upper half along x turns by `angle` about x and rises by `lift`.
+inline Eigen::Matrix3Xd twisted(const Embedding& handles, double angle, double lift) {
+  const Eigen::Matrix3d Q = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).matrix();
+  const double middle = (handles.v.row(0).minCoeff() + handles.v.row(0).maxCoeff()) / 2;
+  Eigen::Matrix3Xd targets = handles.v;
+  for (auto q : targets.colwise()) {
+    if (q.x() > middle) q = Q * q + Eigen::Vector3d(0, 0, lift);
+  }
+  return targets;
+}
+
+/// x with normal noise of the given size on every entry.
+inline Unknowns perturbed(Unknowns x, double size, unsigned seed = 1) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  for (auto& entry : x.X.reshaped()) entry += size * normal(random);
+  return x;
+}
+
+}  // namespace deformlab::test
