@@ -13,7 +13,7 @@ int run_command(const std::vector<std::string>& arguments, const std::filesystem
 /// What `deformlab deform` is told by flags.
 struct DeformFlags {
   std::string edit, out, metrics, picture;
-  int nodes = 0;  ///< 0: the default of graph.nodes
+  int nodes = 0;  ///< graph.nodes, unless a key=value sets it
 };
 
 /// `deformlab deform SHAPE --edit EDIT.yaml --out OUT [--nodes N] [key=value]… [--metrics

@@ -2,7 +2,6 @@
 
 #include <cstdio>
 
-#include "energies/catalog.h"
 #include "experiments/commands.h"
 #include "experiments/config.h"
 #include "experiments/edit.h"
@@ -30,12 +29,11 @@ void check_folder(const std::string& file, const char* flag) {
 EmbeddedDeformationOptions read_options(const std::vector<std::string>& overrides, int nodes) {
   ConfigNode root;
   root.kind = ConfigNode::Kind::kMap;
-  if (nodes != 0) apply_override(root, {"graph.nodes", std::to_string(nodes), "."});
+  apply_override(root, {"graph.nodes", std::to_string(nodes), "."});
   for (const std::string& text : overrides) apply_override(root, parse_override(text));
-  std::vector<std::string> names;
-  for (const EnergyInfo& info : known_energies()) names.push_back(info.name);
-  if (const ConfigNode* energies = root.find("energies")) check_keys(*energies, names, "energy");
-  return read_config<EmbeddedDeformationOptions>(root);
+  auto options = read_config<EmbeddedDeformationOptions>(root);
+  complete_energies(root, options);
+  return options;
 }
 
 void draw(const EmbeddedDeformation& deformer, const Shape& rest, const ResolvedEdit& edit,

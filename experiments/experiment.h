@@ -18,7 +18,7 @@ struct PictureOptions {
   int width = 800;
   int height = 600;
   int columns = 0;
-  bool graph = true;
+  std::string graph = "rest";
   bool frames = false;
   bool rest = true;
 
@@ -29,7 +29,7 @@ struct PictureOptions {
     visit("width", o.width, "of one panel [pixel]");
     visit("height", o.height, "of one panel [pixel]");
     visit("columns", o.columns, "panels beside each other; 0: two for one run, four for a sweep");
-    visit("graph", o.graph, "draw the deformation graph");
+    visit.choice("graph", o.graph, {"rest", "all", "none"}, "panels with the deformation graph");
     visit("frames", o.frames, "draw a square at each node that shows its R_j");
     visit("rest", o.rest, "a panel of the rest shape first");
   }

@@ -6,13 +6,14 @@
 
 #include "experiments/commands.h"
 #include "experiments/suggest.h"
+#include "geometry/deformation_graph.h"
 #include "geometry/error.h"
 
 DEFINE_string(out, "", "run: the folder of results; deform: the file of the deformed shape");
 DEFINE_string(edit, "", "deform: the YAML file of what is selected and where it goes");
 DEFINE_string(metrics, "", "deform: a JSON file for the measurements");
 DEFINE_string(picture, "", "deform: a PNG file of the shape before and after");
-DEFINE_int32(nodes, 0, "deform: number of graph nodes");
+DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes, "deform: number of graph nodes");
 
 namespace {
 

@@ -43,7 +43,7 @@ void PictureBook::add(const Shape& shape, const EmbeddedDeformation& deformer,
   } else {
     add_balls(panel, shape.V(Eigen::all, moved), kHandleRadius * size, colors::kHandle);
   }
-  if (options_.graph) {
+  if (options_.graph == "all" || (options_.graph == "rest" && panels_.empty() && options_.rest)) {
     add_graph(panel, deformer.graph(), deformed_nodes(deformer.graph(), X), kNodeRadius * size);
   }
   if (options_.frames)

@@ -17,12 +17,10 @@ ConfigNode with_overrides(ConfigNode root, const std::vector<Override>& override
   return root;
 }
 
-// Weights are a map, whose keys only the catalog of energies knows.
 ExperimentConfig read(const ConfigNode& root) {
-  std::vector<std::string> names;
-  for (const EnergyInfo& info : known_energies()) names.push_back(info.name);
-  if (const ConfigNode* energies = root.find("energies")) check_keys(*energies, names, "energy");
-  return read_config<ExperimentConfig>(root);
+  auto config = read_config<ExperimentConfig>(root);
+  complete_energies(root, config.deformation);
+  return config;
 }
 
 Run run_once(const ExperimentConfig& config, const std::filesystem::path& folder,
@@ -60,6 +58,15 @@ std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
 }
 
 }  // namespace
+
+void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& options) {
+  std::vector<std::string> names;
+  for (const EnergyInfo& info : known_energies()) {
+    names.push_back(info.name);
+    options.energies.try_emplace(info.name, info.default_weight);
+  }
+  if (const ConfigNode* energies = root.find("energies")) check_keys(*energies, names, "energy");
+}
 
 std::string label(const MeasuredRun& run) {
   std::string text;
