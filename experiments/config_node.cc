@@ -1,10 +1,13 @@
 #include "experiments/config_node.h"
 
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "experiments/suggest.h"
@@ -20,6 +23,48 @@ std::string place(const std::shared_ptr<const ConfigSource>& source, int line) {
   if (!source) return "default";
   return line > 0 && source->is_file ? "line " + std::to_string(line) + " of " + source->name
                                      : source->name;
+}
+
+[[noreturn]] void throw_too_deep(const std::string& where) {
+  throw InputError("nested deeper than " + std::to_string(kMaxConfigDepth) + " levels (" + where +
+                   "); is a bracket left open, or does an alias contain itself?");
+}
+
+/// Throws at the start of a second document. YAML::Load would drop it silently, and YAML::LoadAll
+/// never ends where stray text, such as a comma at the beginning, makes empty documents for ever.
+class SecondDocument : public YAML::EventHandler {
+ public:
+  explicit SecondDocument(std::shared_ptr<const ConfigSource> source)
+      : source_(std::move(source)) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++count_ < 2) return;
+    throw InputError("a second YAML document, or a stray sign before it (" +
+                     place(source_, mark.line + 1) + "); keep one document");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+ private:
+  std::shared_ptr<const ConfigSource> source_;
+  int count_ = 0;
+};
+
+void check_single_document(const std::string& text, std::shared_ptr<const ConfigSource> source) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  SecondDocument handler(std::move(source));
+  while (parser.HandleNextDocument(handler)) {
+  }
 }
 
 /// Copies yaml-cpp's tree into ours and refuses on the way what a config may not hold.
@@ -51,10 +96,7 @@ class Converter {
 
  private:
   void check_limits(const ConfigNode& node, int depth) {
-    if (depth > kMaxConfigDepth) {
-      throw InputError("nested deeper than " + std::to_string(kMaxConfigDepth) + " levels (" +
-                       node.where() + "); does an alias contain itself?");
-    }
+    if (depth > kMaxConfigDepth) throw_too_deep(node.where());
     if (++count_ > kMaxNodes) {
       throw InputError("more than " + std::to_string(kMaxNodes) + " values (" + node.where() +
                        ") with all aliases expanded; make the file smaller");
@@ -112,14 +154,19 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
+/// Quotes where it must: the emitter by itself leaves tabs bare, which do not read back.
+void emit_text(YAML::Emitter& out, const std::string& text, bool quoted) {
+  if (quoted || text.find('\t') != std::string::npos) out << YAML::DoubleQuoted;
+  out << text;
+}
+
 void emit(YAML::Emitter& out, const ConfigNode& node) {
   switch (node.kind) {
     case ConfigNode::Kind::kNull:
       out << YAML::Null;
       return;
     case ConfigNode::Kind::kScalar:
-      if (node.quoted) out << YAML::DoubleQuoted;
-      out << node.text;
+      emit_text(out, node.text, node.quoted);
       return;
     case ConfigNode::Kind::kList: {
       const bool short_list = std::all_of(
@@ -134,7 +181,9 @@ void emit(YAML::Emitter& out, const ConfigNode& node) {
     case ConfigNode::Kind::kMap:
       out << YAML::BeginMap;
       for (const ConfigNode& child : node.children) {
-        out << YAML::Key << child.key << YAML::Value;
+        out << YAML::Key;
+        emit_text(out, child.key, false);
+        out << YAML::Value;
         emit(out, child);
       }
       out << YAML::EndMap;
@@ -178,22 +227,16 @@ std::string ConfigNode::found() const {
 }
 
 ConfigNode parse_yaml(const std::string& text, std::shared_ptr<const ConfigSource> source) {
-  std::vector<YAML::Node> documents;
+  YAML::Node document;
   try {
-    documents = YAML::LoadAll(text);
+    check_single_document(text, source);
+    document = YAML::Load(text);
+  } catch (const YAML::DeepRecursion& error) {
+    throw_too_deep(place(source, error.mark.line + 1));
   } catch (const YAML::Exception& error) {
     throw InputError("not valid YAML (" + place(source, error.mark.line + 1) + "): " + error.msg);
   }
-  if (documents.size() > 1) {
-    throw InputError("more than one YAML document (" + place(source, documents[1].Mark().line + 1) +
-                     "); keep one");
-  }
-  if (documents.empty()) {
-    ConfigNode nothing;
-    nothing.source = std::move(source);
-    return nothing;
-  }
-  return Converter(std::move(source)).convert(documents[0], 0, 0);
+  return Converter(std::move(source)).convert(document, 0, 1);
 }
 
 ConfigNode load_config(const std::filesystem::path& path) {

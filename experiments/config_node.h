@@ -51,7 +51,7 @@ ConfigNode parse_yaml(const std::string& text, std::shared_ptr<const ConfigSourc
 /// cannot be read, is empty or holds something else than a map.
 ConfigNode load_config(const std::filesystem::path& path);
 
-/// The node as YAML, ending in a newline; parse_yaml gives the same tree back.
+/// The node as YAML, ending in a newline, which reads back as the same values.
 std::string to_yaml(const ConfigNode& node);
 
 /// The node as YAML on one line, such as `{axis: [0, 0, 1], degrees: 30}`.

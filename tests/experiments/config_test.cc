@@ -268,7 +268,7 @@ TEST(Config, AliasBombsAndDeepNestingAreRefused) {
   EXPECT_THAT(error_of(bomb), HasSubstr("more than 1000000 values"));
   EXPECT_THAT(error_of("sweep: &a [*a]"), HasSubstr("nested deeper than 64 levels (line 1"));
   EXPECT_THAT(error_of(std::string(100, '[') + std::string(100, ']')), HasSubstr("nested deeper"));
-  EXPECT_THAT(error_of(std::string(20'000, '[')), HasSubstr("line 1 of c.yaml"));
+  EXPECT_THAT(error_of(std::string(20'000, '[')), HasSubstr("levels (line 1 of c.yaml)"));
   EXPECT_THAT(error_of(std::string(20'000, '{')), HasSubstr("line 1 of c.yaml"));
   std::string dashes;
   for (int i = 0; i < 5'000; ++i) dashes += "- ";
@@ -285,7 +285,10 @@ TEST(Config, UnusableFilesAreNamed) {
               AllOf(HasSubstr("line 2 of"), HasSubstr("must be a map"), HasSubstr("a list of 1")));
   EXPECT_THAT(load_error(write("broken.yaml", "a: 1\nb: [1, 2\nc: 3\n")),
               AllOf(HasSubstr("not valid YAML (line 3 of"), HasSubstr("broken.yaml")));
-  EXPECT_THAT(load_error(write("two.yaml", "a: 1\n---\nb: 2\n")), HasSubstr("more than one YAML"));
+  EXPECT_THAT(load_error(write("two.yaml", "a: 1\n---\nb: 2\n")),
+              HasSubstr("a second YAML document"));
+  EXPECT_THAT(load_error(write("comma.yaml", ",a: 1\n")), HasSubstr("stray sign"));
+  EXPECT_THAT(load_error(write("bracket.yaml", "a: 1\n]\n")), HasSubstr("bracket.yaml"));
   EXPECT_THAT(load_error(write("cut.yaml", "a: \"b")), HasSubstr("line 1 of"));
   EXPECT_NE(load_error(write("binary.yaml", std::string("\0\1\xff\x7f: \x89PNG", 10))), "");
   const ConfigNode good = load_config(write("good.yaml", "a: 1\r\nb: 2\r\n"));
