@@ -154,9 +154,10 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-/// Quotes where it must: the emitter by itself leaves tabs bare, which do not read back.
+/// Quotes where it must: the emitter by itself leaves tabs and returns bare, which do not read
+/// back.
 void emit_text(YAML::Emitter& out, const std::string& text, bool quoted) {
-  if (quoted || text.find('\t') != std::string::npos) out << YAML::DoubleQuoted;
+  if (quoted || text.find_first_of("\t\r") != std::string::npos) out << YAML::DoubleQuoted;
   out << text;
 }
 

@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "experiments/override.h"
-#include "experiments/suggest.h"
 #include "geometry/error.h"
 
 namespace deformlab {
@@ -161,6 +160,7 @@ TEST(Config, ResolvedConfigReadsBackTheSame) {
   const Options again = read(to_yaml(to_node(read(kFull))));
   EXPECT_EQ(again.claims[0].name, "it's: \"rotated\"\n#1");
   EXPECT_EQ(again.claims[1].name, "~x");
+  EXPECT_EQ(parse(to_yaml(to_node(std::string("a\tb\r\n")))).text, "a\tb\r\n");
   EXPECT_EQ(again.length_unit, std::nullopt);
   EXPECT_EQ(again.method, Method::kCeres);
   EXPECT_TRUE(again.sweep.children[0].children[1].quoted);
@@ -384,19 +384,6 @@ TEST(Sweep, RefusesWhatIsNoSweep) {
   EXPECT_EQ(expand_sweep(parse(allowed)).size(), kMaxSweepRuns);
   EXPECT_THAT(error(allowed + "c: [1, 2]"),
               AllOf(HasSubstr("more than 10000 runs"), HasSubstr("line 3")));
-}
-
-TEST(Suggest, CountsEditsAndNamesTheNearest) {
-  EXPECT_EQ(edit_distance("rotaton", "rotation"), 1);
-  EXPECT_EQ(edit_distance("shpae", "shape"), 1);
-  EXPECT_EQ(edit_distance("", "abc"), 3);
-  EXPECT_EQ(edit_distance("Nodes", "nodes"), 0);
-  EXPECT_EQ(nearest_name("neighbours", {"nodes", "neighbors"}), "neighbors");
-  EXPECT_EQ(nearest_name("colour", {"nodes", "seed"}), std::nullopt);
-  EXPECT_EQ(nearest_name("x", {}), std::nullopt);
-  EXPECT_EQ(known_names("x", {}), "known: none");
-  EXPECT_EQ(quote("a\nb"), "'a?b'");
-  EXPECT_EQ(quote(std::string(1000, 'a')), "'" + std::string(60, 'a') + "…'");
 }
 
 }  // namespace
