@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "energies/catalog.h"
@@ -226,6 +227,15 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   solver_->compile(stage_);
 }
 
+void EmbeddedDeformation::measure_determinants(const Transformations& X, Report& report) const {
+  report.min_det_R = std::numeric_limits<double>::infinity();
+  for (Eigen::Index j = 0; j < graph_.g.cols(); ++j) {
+    const double det = X.middleCols<3>(4 * j).determinant();
+    report.min_det_R = std::min(report.min_det_R, det);
+    report.inside_out += det < 0;
+  }
+}
+
 void EmbeddedDeformation::measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const {
   if (targets.cols() == 0) return;
   const Eigen::Matrix3Xd reached = transfer_positions(transformations(), graph_.g, handles_);
@@ -252,16 +262,18 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   report.nodes = static_cast<int>(graph_.g.cols());
   report.edges = static_cast<int>(graph_.edges.size());
   report.length_unit = unit_;
-  report.min_det_R = X.leftCols<3>().determinant();
-  for (Eigen::Index j = 1; j < graph_.g.cols(); ++j) {
-    report.min_det_R = std::min(report.min_det_R, X.middleCols<3>(4 * j).determinant());
-  }
+  measure_determinants(X, report);
   measure_handles(targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = report.solve.seconds["total"];
   report.notes = registration_notes_;
   for (const auto* notes : {&compilation_notes_, &report.solve.notes}) {
     report.notes.insert(report.notes.end(), notes->begin(), notes->end());
+  }
+  if (report.inside_out > 0) {
+    report.notes.push_back(
+        "space is turned inside out at " + std::to_string(report.inside_out) +
+        " nodes (det R < 0), which E_rot cannot see: move the handles less, or in smaller steps");
   }
   return report;
 }

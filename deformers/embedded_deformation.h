@@ -54,6 +54,7 @@ class EmbeddedDeformation final : public Deformer {
   void fix_nodes(const Handles& handles);
   void hold_free_components();
   void note_immovable_handles();
+  void measure_determinants(const Transformations& X, Report& report) const;
   void measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const;
 
   EmbeddedDeformationOptions options_;

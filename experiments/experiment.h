@@ -30,7 +30,8 @@ struct PictureOptions {
     visit("height", o.height, "of one panel [pixel]");
     visit("columns", o.columns, "panels beside each other; 0: two for one run, four for a sweep");
     visit.choice("graph", o.graph, {"rest", "all", "none"}, "panels with the deformation graph");
-    visit("frames", o.frames, "draw a square at each node that shows its R_j");
+    visit("frames", o.frames,
+          "draw a square at each node, along x and z at rest, that shows its R_j");
     visit("rest", o.rest, "a panel of the rest shape first");
   }
 };

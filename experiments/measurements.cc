@@ -41,6 +41,7 @@ Metrics metrics_of(const Report& report) {
             {"unknowns", static_cast<double>(report.solve.unknowns)},
             {"factorizations", static_cast<double>(report.solve.factorizations)},
             {"min_det_R", report.min_det_R},
+            {"inside_out", static_cast<double>(report.inside_out)},
             {"handle_rms", report.handle_rms},
             {"handle_max", report.handle_max},
             {"length_unit", report.length_unit}};

@@ -13,7 +13,8 @@ namespace deformlab {
 using Metrics = std::map<std::string, double>;
 
 /// What a report holds, without its seconds: cost and cost.TERM, iterations, converged (1 or 0),
-/// nodes, edges, unknowns, factorizations, min_det_R, handle_rms, handle_max, length_unit.
+/// nodes, edges, unknowns, factorizations, min_det_R, inside_out, handle_rms, handle_max,
+/// length_unit.
 Metrics metrics_of(const Report& report);
 
 /// seconds.PHASE of a report; those inside the solver are seconds.solve.PHASE.

@@ -98,6 +98,21 @@ void apply_override(ConfigNode& root, const Override& change) {
   *node = std::move(value);
 }
 
+namespace {
+
+// A map among a sweep's values sets its keys, and leaves alone those that it does not name.
+void append_settings(const std::string& key, const ConfigNode& value, std::vector<Override>& run) {
+  if (value.kind != ConfigNode::Kind::kMap) {
+    run.push_back({key, to_yaml_line(value), value.folder()});
+    return;
+  }
+  for (const ConfigNode& child : value.children) {
+    append_settings(key + "." + child.key, child, run);
+  }
+}
+
+}  // namespace
+
 std::vector<std::vector<Override>> expand_sweep(const ConfigNode& sweep) {
   std::vector<std::vector<Override>> runs(1);
   if (sweep.kind == ConfigNode::Kind::kNull) return runs;
@@ -107,7 +122,7 @@ std::vector<std::vector<Override>> expand_sweep(const ConfigNode& sweep) {
     for (const std::vector<Override>& run : runs) {
       for (const ConfigNode& value : values.children) {
         longer.push_back(run);
-        longer.back().push_back({values.key, to_yaml_line(value), value.folder()});
+        append_settings(values.key, value, longer.back());
       }
     }
     runs = std::move(longer);

@@ -31,7 +31,8 @@ Override parse_override(std::string_view text);
 void apply_override(ConfigNode& root, const Override& change);
 
 /// The cartesian product of a `sweep:` block, which maps dotted keys to lists of values: for each
-/// run its overrides, in file order, the first key varying slowest. No block (a null node): one run
+/// run its overrides, in file order, the first key varying slowest; a map in such a list sets
+/// each of its keys and leaves the others as they are. No block (a null node): one run
 /// without overrides. Throws InputError where the block is not such a map, a list is empty, or
 /// there are more than kMaxSweepRuns runs.
 std::vector<std::vector<Override>> expand_sweep(const ConfigNode& sweep);

@@ -1,17 +1,19 @@
 #include "experiments/pictures.h"
 
 #include <algorithm>
+#include <array>
 
 namespace deformlab {
 namespace {
 
 constexpr std::size_t kMostHandleBalls = 60;  // more are a region, which its tint shows better
 
-// A square at each deformed node, as its R_j deforms it: the quadrilaterals of Figure 2.
+// A square at each deformed node, upright along x at rest, as its R_j deforms it: the
+// quadrilaterals of Figure 2.
 void add_frames(Panel& panel, const DeformationGraph& graph, const Transformations& X,
                 double half) {
   const std::array<Eigen::Vector3d, 4> corners{
-      Eigen::Vector3d(half, half, 0), {-half, half, 0}, {-half, -half, 0}, {half, -half, 0}};
+      Eigen::Vector3d(half, 0, half), {-half, 0, half}, {-half, 0, -half}, {half, 0, -half}};
   for (Eigen::Index j = 0; j < graph.g.cols(); ++j) {
     const Eigen::Vector3d center = graph.g.col(j) + X.col(4 * j + 3);
     for (int c = 0; c < 4; ++c) {

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -101,18 +102,37 @@ std::string trace_name(std::size_t run, std::size_t runs) {
   return name;
 }
 
+// All keys that any of the runs sets, in the order in which they first appear.
+std::vector<std::string> swept_keys(const std::vector<Run>& runs) {
+  std::vector<std::string> keys;
+  for (const Run& run : runs) {
+    for (const auto& [key, value] : run.measured.settings) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+std::string setting(const MeasuredRun& run, const std::string& key) {
+  for (const auto& [name, value] : run.settings) {
+    if (name == key) return value;
+  }
+  return "";
+}
+
 std::string table_md(const Outcome& outcome) {
   std::string head = "|", rule = "|";
   const auto column = [&](const std::string& name) {
     head += " " + name + " |";
     rule += "---|";
   };
-  for (const auto& [key, value] : outcome.runs.front().measured.settings) column(key);
+  const std::vector<std::string> keys = swept_keys(outcome.runs);
+  for (const std::string& key : keys) column(key);
   for (const char* name : kTableMetrics) column(name);
   std::string text = head + "\n" + rule + "\n";
   for (const Run& run : outcome.runs) {
     text += "|";
-    for (const auto& [key, value] : run.measured.settings) text += " " + value + " |";
+    for (const std::string& key : keys) text += " " + setting(run.measured, key) + " |";
     for (const char* name : kTableMetrics) {
       const auto found = run.measured.metrics.find(name);
       text += found == run.measured.metrics.end() ? "  |" : " " + number(found->second) + " |";
@@ -197,7 +217,8 @@ std::string to_json(const Report& report) {
   for (const auto& [name, value] : metrics_of(report)) {
     if (!name.starts_with("cost")) document[name] = value;
   }
-  for (const char* count : {"nodes", "edges", "unknowns", "iterations", "factorizations"}) {
+  for (const char* count :
+       {"nodes", "edges", "unknowns", "iterations", "factorizations", "inside_out"}) {
     document[count] = document[count].get<long>();
   }
   document["cost"] = {{"total", report.solve.final_cost},

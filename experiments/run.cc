@@ -71,7 +71,8 @@ void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& optio
 std::string label(const MeasuredRun& run) {
   std::string text;
   for (const auto& [key, value] : run.settings) {
-    text += (text.empty() ? "" : "  ") + key + "=" + value;
+    const std::string name = key.substr(key.rfind('.') + 1);
+    text += (text.empty() ? "" : ", ") + name + " " + value;
   }
   return text;
 }

@@ -41,7 +41,8 @@ using Progress = std::function<void(std::size_t, std::size_t, const std::string&
 Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        const Progress& progress);
 
-/// `solver.method=ceres graph.nodes=425`; empty for a config without a sweep.
+/// `method ceres, nodes 425`, what a run sets by the last part of its keys; empty for a config
+/// without a sweep.
 std::string label(const MeasuredRun& run);
 
 }  // namespace deformlab
