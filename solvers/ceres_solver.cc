@@ -3,9 +3,11 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
+#include "geometry/embedding.h"
 #include "geometry/error.h"
 #include "solvers/blas.h"
 #include "solvers/stopwatch.h"
@@ -13,59 +15,107 @@
 namespace deformlab {
 namespace {
 
-// One element of one term. Ceres wants row-major Jacobians over whole parameter blocks.
+double* block(Unknowns& x, int column) { return x.X.col(column).data(); }
+
+// The entries of an element's Jacobian that stand for one parameter block.
+struct Piece {
+  int first, count;  // its columns in the Jacobian
+  int size;          // of the parameter block: the columns beyond `count` are zero
+  double* block;
+};
+
+// One element of one term over the parameter blocks that it depends on. Ceres keeps each block
+// where it likes, while an energy reads whole nodes: they are gathered first.
 class ElementCost final : public ceres::CostFunction {
  public:
-  ElementCost(const Energy& energy, int e, double weight, const Unknowns& x)
+  ElementCost(const Energy& energy, int e, double weight, Unknowns& x, bool by_column)
       : energy_(energy), e_(e), scale_(std::sqrt(weight)) {
     set_num_residuals(energy.rows());
     std::vector<const double*> nodes;
-    for (const int node : energy.nodes(e)) {
-      nodes.push_back(x.node(node));
-      mutable_parameter_block_sizes()->push_back(x.dimension() * x.columns(node));
-    }
-    if (energy.structure() == Structure::kNonlinear) return;
+    for (const int node : energy.nodes(e)) nodes.push_back(x.node(node));
     constant_.resize(energy.rows(), energy.jacobian_columns());
     Eigen::VectorXd r(energy.rows());
     energy.evaluate(e, nodes.data(), r.data(), constant_.data());
+    const bool constant = energy.structure() != Structure::kNonlinear;
+    for (const Piece& piece : by_column ? columns(x) : whole_nodes(x)) {
+      if (constant && constant_.middleCols(piece.first, piece.count).isZero(0)) continue;
+      pieces_.push_back(piece);
+      mutable_parameter_block_sizes()->push_back(piece.size);
+    }
+    if (!constant) constant_.resize(0, 0);
+  }
+
+  std::vector<double*> blocks() const {
+    std::vector<double*> result;
+    for (const Piece& piece : pieces_) result.push_back(piece.block);
+    return result;
   }
 
   bool Evaluate(const double* const* x, double* residuals, double** jacobians) const override {
+    std::array<double, kMaxWidth> entries;  // what has no derivative may hold anything
+    std::fill_n(entries.begin(), energy_.jacobian_columns(), 0.0);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      std::copy_n(x[i], pieces_[i].count, entries.begin() + pieces_[i].first);
+    }
+    std::array<const double*, kMaxNeighbors> nodes;
+    for (int a = 0, first = 0; a < energy_.arity(); first += read(a++)) {
+      nodes[a] = entries.data() + first;
+    }
     const bool differentiate = jacobians != nullptr && constant_.size() == 0;
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows, kMaxWidth> J;
     if (differentiate) J.resize(energy_.rows(), energy_.jacobian_columns());
-    energy_.evaluate(e_, x, residuals, differentiate ? J.data() : nullptr);
+    energy_.evaluate(e_, nodes.data(), residuals, differentiate ? J.data() : nullptr);
     Eigen::Map<Eigen::VectorXd> r(residuals, energy_.rows());
     r *= scale_;
-    if (jacobians == nullptr) return r.allFinite();
-    if (differentiate) {
-      copy_blocks(J, jacobians);
-    } else {
-      copy_blocks(constant_, jacobians);
-    }
+    if (jacobians != nullptr && differentiate) copy_blocks(J, jacobians);
+    if (jacobians != nullptr && !differentiate) copy_blocks(constant_, jacobians);
     return r.allFinite();
   }
 
  private:
   static constexpr int kMaxRows = 16, kMaxWidth = 256;
 
+  int read(int a) const { return energy_.dimension() * energy_.argument(a).count; }
+
+  std::vector<Piece> whole_nodes(Unknowns& x) const {
+    std::vector<Piece> result;
+    for (int a = 0, first = 0; a < energy_.arity(); first += read(a++)) {
+      const int node = energy_.nodes(e_)[a];
+      result.push_back({first, read(a), x.dimension() * x.columns(node), block(x, x.first[node])});
+    }
+    return result;
+  }
+
+  std::vector<Piece> columns(Unknowns& x) const {
+    std::vector<Piece> result;
+    const int d = x.dimension();
+    for (int a = 0; a < energy_.arity(); ++a) {
+      const int begin = x.first[energy_.nodes(e_)[a]];
+      for (int c = 0; c < energy_.argument(a).count; ++c) {
+        result.push_back({d * static_cast<int>(result.size()), d, d, block(x, begin + c)});
+      }
+    }
+    return result;
+  }
+
+  // Ceres wants row-major Jacobians, one a parameter block.
   template <class Jacobian>
   void copy_blocks(const Jacobian& J, double** jacobians) const {
-    for (int a = 0, first = 0; a < energy_.arity(); ++a) {
-      const int read = energy_.dimension() * energy_.argument(a).count;
-      if (jacobians[a] != nullptr) {
-        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> block(
-            jacobians[a], energy_.rows(), parameter_block_sizes()[a]);
-        block.leftCols(read) = scale_ * J.middleCols(first, read);
-        block.rightCols(block.cols() - read).setZero();
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const Piece& piece = pieces_[i];
+      if (jacobians[i] == nullptr) continue;
+      double* to = jacobians[i];
+      for (int row = 0; row < energy_.rows(); ++row, to += piece.size) {
+        for (int k = 0; k < piece.count; ++k) to[k] = scale_ * J(row, piece.first + k);
+        std::fill(to + piece.count, to + piece.size, 0.0);
       }
-      first += read;
     }
   }
 
   const Energy& energy_;
   int e_;
   double scale_;
+  std::vector<Piece> pieces_;
   Eigen::MatrixXd constant_;
 };
 
@@ -123,6 +173,10 @@ ceres::Solver::Options ceres_options(const SolverOptions& options) {
         "solver.ceres_trust_region is levenberg_marquardt or dogleg, and "
         "solver.ceres_sparse_library suite_sparse, eigen_sparse or cx_sparse");
   }
+  if (options.ceres_blocks != "column" && options.ceres_blocks != "node") {
+    throw InputError("unknown solver.ceres_blocks '" + options.ceres_blocks +
+                     "'; known: column, node");
+  }
   o.max_num_iterations = options.max_iterations;
   o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;  // Eq. 12 decides
   o.update_state_every_iteration = true;
@@ -171,19 +225,20 @@ CeresSolver::CeresSolver(const SolverOptions& options) : options_(options) {
 void CeresSolver::compile(const Stage& stage) {
   problem_ = std::make_unique<ceres::Problem>();
   x_ = stage.x;
+  const bool by_column = options_.ceres_blocks == "column";
   for (int j = 0; j < x_.nodes(); ++j) {
-    double* block = x_.X.data() + x_.X.rows() * x_.first[j];
-    problem_->AddParameterBlock(block, x_.dimension() * x_.columns(j));
-    if (stage.fixed[j]) problem_->SetParameterBlockConstant(block);
+    const int stride = by_column ? 1 : x_.columns(j);
+    for (int c = x_.first[j]; c < x_.first[j + 1]; c += stride) {
+      problem_->AddParameterBlock(block(x_, c), x_.dimension() * stride);
+      if (stage.fixed[j]) problem_->SetParameterBlockConstant(block(x_, c));
+    }
   }
   for (const auto& [energy, weight] : stage.terms) {
     if (weight == 0) continue;
     for (int e = 0; e < energy->size(); ++e) {
-      std::vector<double*> blocks;
-      for (const int node : energy->nodes(e)) {
-        blocks.push_back(x_.X.data() + x_.X.rows() * x_.first[node]);
-      }
-      problem_->AddResidualBlock(new ElementCost(*energy, e, weight, x_), nullptr, blocks);
+      auto cost = std::make_unique<ElementCost>(*energy, e, weight, x_, by_column);
+      const std::vector<double*> blocks = cost->blocks();
+      problem_->AddResidualBlock(cost.release(), nullptr, blocks);
     }
   }
 }
