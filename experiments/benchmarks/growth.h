@@ -1,0 +1,34 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace deformlab {
+
+/// Prints what Google Benchmark's console does, and keeps the figures for the report.
+class GrowthReporter final : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override;
+
+  /// A Markdown table of all runs, and one of the fitted growth of each family: the exponent p of
+  /// time ~ nodes^p by least squares in log-log, beside what Google Benchmark fits.
+  std::string to_markdown() const;
+
+ private:
+  struct Row {
+    std::string name;
+    double ms;
+    std::string rest;
+  };
+  struct Family {
+    std::vector<std::pair<double, double>> points;  // nodes, time
+    std::string big_o;
+  };
+  std::vector<Row> rows_;
+  std::map<std::string, Family> families_;
+};
+
+}  // namespace deformlab

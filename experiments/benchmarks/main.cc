@@ -1,0 +1,102 @@
+// deformlab_bench: Google Benchmark's figures, then our solver against Ceres' best configuration.
+#include <benchmark/benchmark.h>
+#include <dlfcn.h>
+#include <gflags/gflags.h>
+
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "experiments/benchmarks/comparison.h"
+#include "experiments/benchmarks/growth.h"
+#include "experiments/environment.h"
+#include "experiments/results.h"
+#include "geometry/error.h"
+
+DEFINE_string(comparison, "auto",
+              "compare with Ceres' configurations: yes, no, or auto: unless a filter is given");
+DEFINE_int32(repetitions, 7, "of each pair in the comparison");
+DEFINE_string(report, "", "write all figures into this Markdown file");
+
+namespace deformlab {
+namespace {
+
+// A threaded OpenBLAS may be installed instead of the serial one.
+void force_one_thread() {
+  using SetThreads = void (*)(int);
+  if (void* found = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) {
+    reinterpret_cast<SetThreads>(found)(1);
+  }
+}
+
+std::string context() {
+  std::string text;
+  for (const auto& [name, value] : environment()) text += "- " + name + ": " + value + "\n";
+  return text;
+}
+
+std::string compare_all(bool& holds) {
+  std::string text, gauss_newton_blas, ceres_blas;
+  for (const int nodes : {222, 425, 1048}) {
+    const Comparison comparison = compare(nodes, FLAGS_repetitions);
+    const std::string table = to_markdown(comparison) + "\n";
+    std::cout << table << std::flush;
+    text += table;
+    holds = holds && comparison.holds();
+    gauss_newton_blas = comparison.our_blas;
+    ceres_blas = comparison.best().blas;
+  }
+  const std::string blas =
+      "BLAS of gauss_newton: " + gauss_newton_blas + "\n\nBLAS of ceres: " + ceres_blas + "\n";
+  std::cout << blas;
+  return text + blas;
+}
+
+std::string report(const std::string& figures, const std::string& comparisons) {
+  return "# Benchmarks\n\nWritten by `./deformlab bench --report=results/benchmarks.md`. Ratios "
+         "mean something on another machine, milliseconds do not.\n\n" +
+         context() +
+         "\n## A step against Ceres\n\nThe reference scene: a bumpy plane of 201×201 vertices, "
+         "4,020 handles, one strip lifted at once. Both solvers minimise the same terms from rest "
+         "and stop by the same rule, in turns, on one thread. A step is the mean of a solve's: "
+         "without our compilation and without Ceres' preprocessing. A whole solve is with both.\n"
+         "\n" +
+         comparisons + "\n## Figures\n\n" + figures;
+}
+
+int run(bool filtered) {
+  force_one_thread();
+  std::cout << context() << std::flush;
+  GrowthReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  const std::string figures = reporter.to_markdown();
+  std::cout << "\n" << figures << "\n" << std::flush;
+  bool holds = true;
+  std::string comparisons;
+  if (FLAGS_comparison == "yes" || (FLAGS_comparison == "auto" && !filtered)) {
+    comparisons = compare_all(holds);
+  }
+  if (!FLAGS_report.empty()) write_text(FLAGS_report, report(figures, comparisons));
+  return holds ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace deformlab
+
+int main(int argc, char** argv) {
+  bool filtered = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    filtered = filtered || argument.starts_with("--benchmark_filter") ||
+               argument.starts_with("--benchmark_list");
+  }
+  benchmark::Initialize(&argc, argv);
+  gflags::ParseCommandLineFlags(&argc, &argv, true);
+  try {
+    return deformlab::run(filtered);
+  } catch (const deformlab::InputError& error) {
+    std::fprintf(stderr, "deformlab_bench: %s\n", error.what());
+    return 1;
+  }
+}

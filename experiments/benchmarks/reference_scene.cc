@@ -1,0 +1,60 @@
+#include "experiments/benchmarks/reference_scene.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "geometry/sampling.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kSide = 201, kStrip = 10;
+
+ReferenceScene make_scene() {
+  ReferenceScene scene{bumpy_plane(kSide), {}, {}};
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const int x = i % kSide;
+    if (x < kStrip || x >= kSide - kStrip) scene.handles.moved.push_back(i);
+  }
+  scene.targets = scene.shape.V(Eigen::all, scene.handles.moved);
+  for (std::size_t l = 0; l < scene.handles.moved.size(); ++l) {
+    if (scene.handles.moved[l] % kSide >= kStrip) scene.targets(2, l) += 0.5;
+  }
+  return scene;
+}
+
+}  // namespace
+
+Shape bumpy_plane(int n) {
+  Shape shape;
+  shape.V.resize(3, n * n);
+  for (int i = 0; i < n * n; ++i) {
+    const double x = double(i % n) / (n - 1), y = double(i / n) / (n - 1);
+    const double k = 10 * std::numbers::pi;
+    shape.V.col(i) << x, y, 0.02 * std::sin(k * x) * std::sin(k * y);
+  }
+  for (int i = 0; i < n * (n - 1); ++i) {
+    if (i % n < n - 1) shape.faces.push_back({i, i + 1, i + n + 1, i + n});
+  }
+  shape.N = vertex_normals(shape);
+  return shape;
+}
+
+const ReferenceScene& reference_scene() {
+  static const ReferenceScene scene = make_scene();
+  return scene;
+}
+
+EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver) {
+  static std::map<int, Eigen::Matrix3Xd> nodes;
+  const EmbeddedDeformationOptions defaults;
+  if (!nodes.contains(m)) {
+    nodes[m] = sample_nodes(reference_scene().shape, m, defaults.graph.seed);
+  }
+  EmbeddedDeformationOptions options;
+  options.solver = solver;
+  return {reference_scene().shape, nodes[m], options};
+}
+
+}  // namespace deformlab

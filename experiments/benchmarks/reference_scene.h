@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "deformers/embedded_deformation.h"
+
+namespace deformlab {
+
+/// The scene that solvers are measured on: a bumpy plane of unit side whose left strip is held and
+/// whose right strip is lifted by half a side, all at once. Both strips are handles.
+struct ReferenceScene {
+  Shape shape;
+  Handles handles;
+  Eigen::Matrix3Xd targets;  ///< 3×#moved [length]
+};
+
+/// 201×201 vertices, strips of ten columns: 4,020 handles.
+const ReferenceScene& reference_scene();
+
+/// n×n vertices over the unit square, z = 0.02 sin(10πx) sin(10πy), as quads, with unit normals.
+Shape bumpy_plane(int n);
+
+/// The scene with a graph of m nodes, the same for every solver, not compiled yet.
+EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver);
+
+}  // namespace deformlab

@@ -1,0 +1,66 @@
+// A step and a whole solve of the reference scene, by both solvers.
+#include <benchmark/benchmark.h>
+
+#include "experiments/benchmarks/reference_scene.h"
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+namespace {
+
+SolverOptions by(const char* method) {
+  SolverOptions options;
+  options.method = method;
+  return options;
+}
+
+void describe(benchmark::State& state, const Summary& solve) {
+  state.SetComplexityN(state.range(0));
+  state.counters["steps"] = static_cast<double>(solve.iterations.size());
+  state.counters["cost"] = solve.final_cost;
+  if (solve.status != Status::kConverged) state.SkipWithError(solve.message.c_str());
+}
+
+// The mean of one solve's steps; Ceres' preprocessing, our compilation, is left out.
+void step(benchmark::State& state, const char* method) {
+  auto deformation = reference_deformation(static_cast<int>(state.range(0)), by(method));
+  deformation.compile(reference_scene().handles);
+  Summary solve;
+  for (auto _ : state) {
+    deformation.reset();
+    solve = deformation.update(reference_scene().targets).solve;
+    state.SetIterationTime((solve.seconds["total"] - solve.seconds["preprocess"]) /
+                           static_cast<double>(solve.iterations.size()));
+  }
+  describe(state, solve);
+}
+
+// Compilation and all steps, from rest.
+void whole_solve(benchmark::State& state, const char* method) {
+  auto deformation = reference_deformation(static_cast<int>(state.range(0)), by(method));
+  Summary solve;
+  for (auto _ : state) {
+    deformation.reset();
+    double seconds = 0;
+    {
+      Stopwatch watch(seconds);
+      deformation.compile(reference_scene().handles);
+    }
+    solve = deformation.update(reference_scene().targets).solve;
+    state.SetIterationTime(seconds + solve.seconds["total"]);
+  }
+  describe(state, solve);
+}
+
+void sizes(benchmark::internal::Benchmark* b) {
+  for (const int m : {100, 222, 425, 1048, 2048, 4000}) b->Arg(m);
+  b->ArgName("nodes")->UseManualTime()->Unit(benchmark::kMillisecond)->Complexity();
+  b->MinTime(0.05);  // of manual time: a step is a small part of what it takes to measure it
+}
+
+BENCHMARK_CAPTURE(step, gauss_newton, "gauss_newton")->Apply(sizes);
+BENCHMARK_CAPTURE(step, ceres, "ceres")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, gauss_newton, "gauss_newton")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, ceres, "ceres")->Apply(sizes);
+
+}  // namespace
+}  // namespace deformlab
