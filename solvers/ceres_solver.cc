@@ -223,6 +223,7 @@ CeresSolver::CeresSolver(const SolverOptions& options) : options_(options) {
 }
 
 void CeresSolver::compile(const Stage& stage) {
+  check(stage);
   problem_ = std::make_unique<ceres::Problem>();
   x_ = stage.x;
   const bool by_column = options_.ceres_blocks == "column";

@@ -1,33 +1,17 @@
 #include "solvers/normal_equations.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
-
-#include "geometry/error.h"
 
 namespace deformlab {
 namespace {
 
 int columns_read(const Energy& energy) { return energy.jacobian_columns() / energy.dimension(); }
 
-void check(const Energy& energy, const Unknowns& x) {
-  bool fits = energy.dimension() == x.dimension();
-  for (int e = 0; e < energy.size() && fits; ++e) {
-    for (int a = 0; a < energy.arity(); ++a) {
-      const int node = energy.nodes(e)[a];
-      fits = fits && node >= 0 && node < x.nodes() && energy.argument(a).count <= x.columns(node);
-    }
-  }
-  if (fits) return;
-  throw InputError("the term '" + std::string(energy.name()) +
-                   "' reads nodes that this problem does not have: check the node indices, the " +
-                   "dimension and the columns of its arguments");
-}
-
 }  // namespace
 
 NormalEquations::NormalEquations(const Stage& stage) : dimension_(stage.x.dimension()) {
+  check(stage);
   const Unknowns& x = stage.x;
   place_.assign(x.X.size(), -1);
   int free = 0;
@@ -38,7 +22,6 @@ NormalEquations::NormalEquations(const Stage& stage) : dimension_(stage.x.dimens
   }
   Jtr_ = Eigen::VectorXd::Zero(free);
   for (const auto& [energy, weight] : stage.terms) {
-    check(*energy, x);
     Part part{energy.get(), weight, {}, {}, {}, {}};
     part.r.resize(energy->rows(), energy->size());
     add_columns(x, part);

@@ -20,6 +20,10 @@ struct Stage {
   std::vector<WeightedEnergy> terms;
 };
 
+/// Throws InputError for a term that reads nodes which the stage does not have, or of another
+/// dimension or fewer columns than it takes.
+void check(const Stage& stage);
+
 /// F at x.
 double cost(const Stage& stage, const Unknowns& x);
 
