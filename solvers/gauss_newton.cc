@@ -15,7 +15,7 @@ constexpr double kSufficientDecrease = 1e-4;  // of F, as a share of what the sl
 constexpr double kSmallestStep = 1e-6;
 constexpr double kFirstDamping = 1e-4, kLeastDamping = 1e-16, kMostDamping = 1e16;
 constexpr double kRegularization = 1e-10;  // relative, of a singular JᵀJ
-constexpr double kRounding = 1e-13;        // relative error of a sum of squares: not uphill
+constexpr double kRounding = 1e-13;        // of 1 + F, as in Eq. 12: less is not uphill
 
 }  // namespace
 
@@ -59,9 +59,9 @@ void GaussNewton::solve_for_delta() {
 bool GaussNewton::newton_direction() {
   bool regular = factorize(0, D_);
   if (!regular) {
-    double largest = 1e-300;
+    double largest = 0;
     for (const int at : diagonal_) largest = std::max(largest, equations_->H().valuePtr()[at]);
-    D_.setConstant(largest);
+    D_.setConstant(largest > 0 ? largest : 1);
     for (double damping = kRegularization; !regular && damping < 1; damping *= 100) {
       regular = factorize(damping, D_);
     }
@@ -92,7 +92,7 @@ GaussNewton::Outcome GaussNewton::line_search(Stage& stage, Iteration& iteration
   for (double scale = 1; scale >= kSmallestStep; scale /= 2) {
     iteration.cost = try_step(stage, scale);
     iteration.step_scale = scale;
-    const double enough = cost_ + kSufficientDecrease * scale * slope + kRounding * cost_;
+    const double enough = cost_ + kSufficientDecrease * scale * slope + kRounding * (1 + cost_);
     if (iteration.cost <= enough) return Outcome::kAccepted;
   }
   return Outcome::kUphill;
@@ -113,8 +113,8 @@ GaussNewton::Outcome GaussNewton::levenberg(Stage& stage, Iteration& iteration) 
       promised = damping_ * delta_.dot(D_.cwiseProduct(delta_)) - delta_.dot(equations_->Jtr());
     }
     const double fell = cost_ - iteration.cost;
-    if (fell >= -kRounding * cost_) {
-      const double ratio = promised > 0 ? fell / promised : 1;
+    if (fell >= -kRounding * (1 + cost_)) {
+      const double ratio = promised > 0 ? std::max(0.0, fell / promised) : 1;
       damping_ =
           std::max(kLeastDamping, damping_ * std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3)));
       damping_growth_ = 2;
