@@ -1,0 +1,107 @@
+#include "geometry/sampling.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "geometry/error.h"
+#include "tests/support/shapes.h"
+
+namespace deformlab::test {
+namespace {
+
+/// Each point's distance to its nearest neighbour.
+Eigen::VectorXd nearest_distances(const Eigen::Matrix3Xd& g) {
+  Eigen::VectorXd result(g.cols());
+  for (Eigen::Index j = 0; j < g.cols(); ++j) {
+    Eigen::RowVectorXd distance = (g.colwise() - g.col(j)).colwise().norm();
+    distance[j] = INFINITY;
+    result[j] = distance.minCoeff();
+  }
+  return result;
+}
+
+struct Case {
+  const char* name;
+  Shape (*shape)();
+};
+
+class SampleNodes : public ::testing::TestWithParam<Case> {
+ protected:
+  const Shape shape_ = GetParam().shape();
+};
+
+TEST_P(SampleNodes, GivesExactlyAsManyAsAskedFor) {
+  for (const int m : {1, 2, 7, 100, 1000}) {
+    const Eigen::Matrix3Xd g = sample_nodes(shape_, m, 1);
+    EXPECT_EQ(g.cols(), m);
+    EXPECT_TRUE(g.allFinite());
+    EXPECT_GT(nearest_distances(g).minCoeff(), 0);  // infinite for one
+  }
+}
+
+TEST_P(SampleNodes, StaysOnTheShape) {
+  const Eigen::Matrix3Xd g = sample_nodes(shape_, 100, 1);
+  for (int row = 0; row < 3; ++row) {
+    EXPECT_GE(g.row(row).minCoeff(), shape_.V.row(row).minCoeff() - 1e-12);
+    EXPECT_LE(g.row(row).maxCoeff(), shape_.V.row(row).maxCoeff() + 1e-12);
+  }
+}
+
+TEST_P(SampleNodes, SpreadsThemEvenly) {
+  // Independent draws come as near as 0.05 of their mean distance; Poisson discs keep apart.
+  const Eigen::VectorXd distance = nearest_distances(sample_nodes(shape_, 200, 1));
+  EXPECT_GT(distance.minCoeff(), 0.6 * distance.mean());
+}
+
+TEST_P(SampleNodes, RepeatsASeedToTheBit) {
+  EXPECT_EQ(sample_nodes(shape_, 50, 7), sample_nodes(shape_, 50, 7));
+  EXPECT_NE(sample_nodes(shape_, 50, 7), sample_nodes(shape_, 50, 8));
+}
+
+TEST_P(SampleNodes, RejectsFewerThanOne) {
+  for (const int m : {0, -3}) EXPECT_THROW(sample_nodes(shape_, m, 1), InputError);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SampleNodes,
+                         ::testing::Values(Case{"mesh", [] { return bumpy_plane(40); }},
+                                           Case{"point_set", [] { return point_set(5000); }},
+                                           Case{"soup", [] { return soup(300); }}),
+                         [](const auto& p) { return std::string(p.param.name); });
+
+TEST(SampledNodes, PicksAPointSetsOwnPoints) {
+  const Shape points = point_set(500);
+  const Eigen::Matrix3Xd nodes = sample_nodes(points, 60, 1);
+  for (const auto g : nodes.colwise()) {
+    EXPECT_EQ((points.V.colwise() - g).colwise().norm().minCoeff(), 0);
+  }
+}
+
+TEST(SampledNodes, NeedsAsManyDistinctPointsAsNodes) {
+  Shape points = point_set(10);
+  points.V.rightCols(5) = points.V.leftCols(5).eval();
+  EXPECT_EQ(sample_nodes(points, 5, 1).cols(), 5);
+  try {
+    sample_nodes(points, 6, 1);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("graph.nodes is 6"),
+                                               ::testing::HasSubstr("5 distinct points")));
+  }
+}
+
+TEST(SampledNodes, TakesTrianglesWithoutAreaForAPointSet) {
+  Shape flat = point_set(30);
+  flat.V.bottomRows(2).setZero();
+  for (int t = 0; t < 10; ++t) flat.faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  EXPECT_EQ(sample_nodes(flat, 12, 1).cols(), 12);
+}
+
+TEST(SampledNodes, DoesNotDependOnTheUnitOfLength) {
+  Shape plane = bumpy_plane(20);
+  const Eigen::Matrix3Xd g = sample_nodes(plane, 40, 3);
+  plane.V *= 1024;
+  EXPECT_EQ(sample_nodes(plane, 40, 3), 1024 * g);
+}
+
+}  // namespace
+}  // namespace deformlab::test

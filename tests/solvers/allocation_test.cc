@@ -1,0 +1,120 @@
+#include <SuiteSparse_config.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+
+#include "tests/support/stages.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#include <sanitizer/allocator_interface.h>
+#endif
+
+// Counts the heap calls of the whole program; CHOLMOD's own, which go through SuiteSparse's
+// function pointers, are left out. (operator new would not do: Eigen allocates by malloc.)
+namespace {
+
+std::atomic<long> calls = 0;
+thread_local bool inside_suitesparse = false;
+
+void count() {
+  if (!inside_suitesparse) ++calls;
+}
+
+struct InsideSuiteSparse {
+  InsideSuiteSparse() { inside_suitesparse = true; }
+  ~InsideSuiteSparse() { inside_suitesparse = false; }
+};
+
+void* suitesparse_malloc(size_t size) {
+  const InsideSuiteSparse mark;
+  return std::malloc(size);
+}
+void* suitesparse_calloc(size_t n, size_t size) {
+  const InsideSuiteSparse mark;
+  return std::calloc(n, size);
+}
+void* suitesparse_realloc(void* p, size_t size) {
+  const InsideSuiteSparse mark;
+  return std::realloc(p, size);
+}
+
+}  // namespace
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+namespace {
+const int installed = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, size_t) { count(); }, [](const volatile void*) {});
+}
+#else
+// glibc's malloc, counted.
+extern "C" {
+void* __libc_malloc(size_t size);
+void* __libc_calloc(size_t n, size_t size);
+void* __libc_realloc(void* p, size_t size);
+
+void* malloc(size_t size) {
+  count();
+  return __libc_malloc(size);
+}
+void* calloc(size_t n, size_t size) {
+  count();
+  return __libc_calloc(n, size);
+}
+void* realloc(void* p, size_t size) {
+  count();
+  return __libc_realloc(p, size);
+}
+}
+#endif
+
+namespace deformlab::test {
+namespace {
+
+class Allocations : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    SuiteSparse_config.malloc_func = suitesparse_malloc;
+    SuiteSparse_config.calloc_func = suitesparse_calloc;
+    SuiteSparse_config.realloc_func = suitesparse_realloc;
+  }
+  void TearDown() override {
+    SuiteSparse_config.malloc_func = std::malloc;
+    SuiteSparse_config.calloc_func = std::calloc;
+    SuiteSparse_config.realloc_func = std::realloc;
+  }
+
+  // Of a solve of so many steps, after one that has warmed every workspace up.
+  static long in_a_solve(SolverOptions options, int steps) {
+    const Problem problem = random_problem(100);
+    Stage stage = make_stage(problem, twisted(problem.handles, 1.5, 3));
+    const Unknowns start = stage.x;
+    options.max_iterations = steps;
+    const auto solver = make_solver(options);
+    solver->compile(stage);
+    solver->solve(stage);
+    stage.x = start;
+    const long before = calls;
+    const Summary summary = solver->solve(stage);
+    const long result = calls - before;
+    EXPECT_EQ(std::ssize(summary.iterations), steps) << summary.message;
+    return result;
+  }
+};
+
+TEST_F(Allocations, AreCounted) {
+  const long before = calls;
+  const Eigen::VectorXd by_malloc(100);
+  const std::vector<double> by_new(100);
+  EXPECT_GE(calls - before, 2);
+}
+
+TEST_F(Allocations, AStepMakesNone) {
+  for (const char* globalization : {"none", "line_search", "levenberg"}) {
+    const SolverOptions options = gauss_newton("cholmod", globalization, 1e-300);
+    EXPECT_EQ(in_a_solve(options, 3), in_a_solve(options, 6)) << globalization;
+  }
+}
+
+}  // namespace
+}  // namespace deformlab::test

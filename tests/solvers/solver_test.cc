@@ -1,0 +1,262 @@
+#include "solvers/solver.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "geometry/error.h"
+#include "tests/support/stages.h"
+
+namespace deformlab::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string error_of(const SolverOptions& options) {
+  try {
+    make_solver(options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::vector<SolverOptions> every_method() {
+  return {gauss_newton("cholmod", "none"),
+          gauss_newton("cholmod", "line_search"),
+          gauss_newton("cholmod", "levenberg"),
+          gauss_newton("eigen_ldlt", "none"),
+          gauss_newton("eigen_ldlt", "line_search"),
+          gauss_newton("eigen_ldlt", "levenberg"),
+          ceres_with("auto")};
+}
+
+std::string name_of(const SolverOptions& o) {
+  return o.method + " " + o.linear_solver + " " + o.globalization;
+}
+
+class CeresLinearSolver : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(CeresLinearSolver, FindsTheMinimum) {
+  Stage stage = twisted_plate(20);
+  const Unknowns start = stage.x;
+  const double best = solve(stage, gauss_newton("cholmod", "levenberg", 1e-12)).final_cost;
+  stage.x = start;
+  const Summary summary = solve(stage, ceres_with(GetParam(), 1e-9));
+  // Ceres' conjugate gradients stop early: their steps are inexact, so they end less close.
+  const bool iterative =
+      summary.linear_solver == "CGNR" || summary.linear_solver == "ITERATIVE_SCHUR";
+  EXPECT_EQ(summary.status, Status::kConverged) << summary.message;
+  EXPECT_LT(summary.final_cost, (1 + (iterative ? 1e-4 : 1e-8)) * best);
+  EXPECT_GT(summary.final_cost, (1 - 1e-9) * best);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CeresLinearSolver,
+                         ::testing::Values("auto", "dense_qr", "dense_normal_cholesky",
+                                           "sparse_normal_cholesky", "dense_schur", "sparse_schur",
+                                           "iterative_schur", "cgnr"));
+
+TEST(CeresOptions, AllFindTheSameMinimum) {
+  SolverOptions dogleg = ceres_with("auto", 1e-9), eigen = dogleg, nodes = dogleg;
+  dogleg.ceres_trust_region = "dogleg";
+  eigen.ceres_sparse_library = "eigen_sparse";
+  nodes.ceres_blocks = "node";
+  for (const SolverOptions& options : {dogleg, eigen, nodes}) {
+    Stage stage = twisted_plate(20);
+    const Unknowns start = stage.x;
+    const double best = solve(stage, gauss_newton("cholmod", "levenberg", 1e-12)).final_cost;
+    stage.x = start;
+    EXPECT_NEAR(solve(stage, options).final_cost, best, 1e-8 * best);
+  }
+}
+
+TEST(SolverOptions, UnknownNamesAreErrorsThatListTheKnownOnes) {
+  EXPECT_THAT(error_of({.method = "newton"}), HasSubstr("'newton'; known: gauss_newton, ceres"));
+  EXPECT_THAT(
+      error_of(gauss_newton("umfpack", "none")),
+      HasSubstr("'umfpack' is not one of gauss_newton's; known: auto, cholmod, eigen_ldlt"));
+  EXPECT_THAT(error_of(gauss_newton("cholmod", "armijo")),
+              HasSubstr("'armijo'; known: none, line_search, levenberg"));
+  EXPECT_THAT(error_of(ceres_with("cholmod")), HasSubstr("known: auto, dense_qr"));
+  SolverOptions options = ceres_with("auto");
+  options.ceres_trust_region = "newton";
+  EXPECT_THAT(error_of(options), HasSubstr("levenberg_marquardt or dogleg"));
+  options = ceres_with("auto");
+  options.ceres_sparse_library = "mumps";
+  EXPECT_THAT(error_of(options), HasSubstr("suite_sparse"));
+  options = ceres_with("auto");
+  options.ceres_blocks = "row";
+  EXPECT_THAT(error_of(options), HasSubstr("'row'; known: column, node"));
+}
+
+TEST(SolverOptions, NumbersOutOfRangeAreErrors) {
+  for (const double epsilon : {0., -1., 1., double(NAN)}) {
+    EXPECT_THAT(error_of({.epsilon = epsilon}), HasSubstr("solver.epsilon"));
+  }
+  EXPECT_THAT(error_of({.max_iterations = 0}), HasSubstr("solver.max_iterations is 0"));
+}
+
+TEST(EveryMethod, StaysAtRestAtRest) {
+  for (const SolverOptions& options : every_method()) {
+    const Problem problem = random_problem(20);
+    Stage stage = make_stage(problem, problem.handles.v);
+    const Summary summary = solve(stage, options);
+    EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << summary.message;
+    EXPECT_LT((stage.x.X - problem.rest().X).cwiseAbs().maxCoeff(), 1e-9) << name_of(options);
+  }
+}
+
+// At a minimum of 0 all that is left of F is rounding, which no step lowers: far from the origin
+// there is more of it.
+TEST(EveryMethod, ConvergesWhereFIsZeroUpToRounding) {
+  const Eigen::Vector3d size(3, 1, 0.3), away(100, 70, 30);
+  for (const SolverOptions& options : every_method()) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      const Problem problem = make_problem(random_points(30, size, seed).colwise() + away,
+                                           random_points(450, size, seed + 1).colwise() + away, 4);
+      Stage stage = make_stage(problem, problem.handles.v);
+      const Summary summary = solve(stage, options);
+      EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << summary.message;
+      EXPECT_LT(summary.final_cost, 1e-18) << name_of(options);
+    }
+  }
+}
+
+TEST(EveryMethod, FillsTheSummary) {
+  for (const SolverOptions& options : every_method()) {
+    Stage stage = twisted_plate(20);
+    const Unknowns start = stage.x;
+    const double initial = cost(stage, start);
+    const Summary s = solve(stage, options);
+    EXPECT_NEAR(s.initial_cost, initial, 1e-12 * initial);
+    EXPECT_NEAR(s.final_cost, cost(stage, stage.x), 1e-12 * initial);
+    double sum = 0;
+    for (const auto& [name, value] : s.cost_by_term) sum += value;
+    EXPECT_NEAR(sum, s.final_cost, 1e-12 * initial);
+    EXPECT_EQ(s.cost_by_term.size(), stage.terms.size());
+    EXPECT_EQ(s.unknowns, 20 * 12);
+    EXPECT_EQ(s.iterations.back().cost, s.final_cost) << name_of(options);
+    EXPECT_GE(s.factorizations, std::ssize(s.iterations));
+    EXPECT_GT(s.seconds.at("total"), 0);
+    EXPECT_THAT(s.blas, HasSubstr("openblas"));
+    EXPECT_EQ(s.method, options.method);
+  }
+}
+
+TEST(EveryMethod, LeavesFixedNodesAloneToTheBit) {
+  for (const SolverOptions& options : every_method()) {
+    Stage stage = twisted_plate(20);
+    stage.x = perturbed(stage.x, 0.01);
+    stage.fixed[3] = stage.fixed[11] = 1;
+    const Unknowns start = stage.x;
+    const Summary summary = solve(stage, options);
+    EXPECT_EQ(summary.unknowns, 18 * 12);
+    for (const int j : {3, 11}) {
+      EXPECT_EQ(stage.x.X.middleCols(4 * j, 4), start.X.middleCols(4 * j, 4)) << name_of(options);
+    }
+    EXPECT_NE(stage.x.X, start.X);
+  }
+}
+
+TEST(EveryMethod, HasNothingToDoWhereAllNodesAreFixed) {
+  for (const SolverOptions& options : every_method()) {
+    Stage stage = twisted_plate(20);
+    stage.fixed.assign(20, 1);
+    const Unknowns start = stage.x;
+    const Summary summary = solve(stage, options);
+    EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << ": " << summary.message;
+    EXPECT_EQ(stage.x.X, start.X) << name_of(options);
+    EXPECT_NEAR(summary.final_cost, cost(stage, start), 1e-9) << name_of(options);
+    EXPECT_EQ(summary.unknowns, 0) << name_of(options);
+  }
+}
+
+TEST(EveryMethod, StaysWhereThereIsNoTerm) {
+  for (const SolverOptions& options : every_method()) {
+    Stage stage = twisted_plate(20);
+    stage.terms.clear();
+    const Unknowns start = stage.x;
+    const Summary summary = solve(stage, options);
+    EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << ": " << summary.message;
+    EXPECT_EQ(stage.x.X, start.X) << name_of(options);
+    EXPECT_EQ(summary.final_cost, 0);
+  }
+}
+
+// Nothing says how far the plate turns about its only handle.
+Stage held_at_one_point() {
+  Problem problem = random_problem(20);
+  problem.handles = subset(problem.handles, std::vector<int>{0});
+  return make_stage(problem, problem.handles.v.colwise() + Eigen::Vector3d(0.5, 0.2, 1));
+}
+
+// Nodes on a line: nothing says how they turn about it.
+Stage straight_chain() {
+  Eigen::Matrix3Xd g = Eigen::Matrix3Xd::Zero(3, 12), v = Eigen::Matrix3Xd::Zero(3, 60);
+  g.row(0).setLinSpaced(0, 11);
+  v.row(0).setLinSpaced(0, 11);
+  const Problem problem = make_problem(g, v, 2);
+  return make_stage(problem, problem.handles.v.colwise() + Eigen::Vector3d(0, 0.3, 0.2));
+}
+
+TEST(SingularProblems, EndFiniteAndSaySo) {
+  for (const SolverOptions& options : every_method()) {
+    for (const bool chain : {false, true}) {
+      Stage stage = chain ? straight_chain() : held_at_one_point();
+      const Summary summary = solve(stage, options);
+      EXPECT_TRUE(stage.x.X.allFinite());
+      EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << summary.message;
+      EXPECT_LT(summary.final_cost, 1e-6) << name_of(options);
+      if (options.method == "gauss_newton" && options.globalization != "levenberg") {
+        ASSERT_EQ(summary.notes.size(), 1u) << name_of(options);
+        EXPECT_THAT(summary.notes[0], HasSubstr("singular")) << name_of(options);
+      }
+    }
+  }
+}
+
+TEST(EveryMethod, FailsWhereTheStartIsNotFiniteAndLeavesTheState) {
+  for (const SolverOptions& options : every_method()) {
+    Stage stage = twisted_plate(20);
+    stage.x.X(0, 0) = 1e200;  // its square is infinite
+    const Unknowns start = stage.x;
+    const Summary summary = solve(stage, options);
+    EXPECT_EQ(summary.status, Status::kFailed) << name_of(options);
+    EXPECT_NE(summary.message, "") << name_of(options);
+    EXPECT_EQ(stage.x.X, start.X) << name_of(options);
+  }
+}
+
+TEST(EveryMethod, CanBeUsedAgainAfterAFailure) {
+  for (const SolverOptions& options : every_method()) {
+    Stage stage = twisted_plate(20);
+    const Unknowns start = stage.x;
+    const auto solver = make_solver(options);
+    solver->compile(stage);
+    stage.x.X(0, 0) = 1e200;
+    solver->solve(stage);
+    stage.x = start;
+    EXPECT_EQ(solver->solve(stage).status, Status::kConverged) << name_of(options);
+  }
+}
+
+TEST(EveryMethod, SaysWhenItRanOutOfIterations) {
+  for (SolverOptions options : every_method()) {
+    Stage stage = twisted_plate(20);
+    options.max_iterations = 1;
+    const Summary summary = solve(stage, options);
+    EXPECT_EQ(summary.status, Status::kMaxIterations) << name_of(options);
+    EXPECT_EQ(summary.iterations.size(), 1u) << name_of(options);
+  }
+}
+
+TEST(EveryMethod, GivesTheSameBitsTwice) {
+  for (const SolverOptions& options : every_method()) {
+    Stage one = twisted_plate(30), two = twisted_plate(30);
+    solve(one, options);
+    solve(two, options);
+    EXPECT_EQ(one.x.X, two.x.X) << name_of(options);
+  }
+}
+
+}  // namespace
+}  // namespace deformlab::test
