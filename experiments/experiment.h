@@ -15,6 +15,7 @@ namespace deformlab {
 struct PictureOptions {
   Eigen::Vector3d direction{0.5, 1.0, -0.6};
   Eigen::Vector3d up{0, 0, 1};
+  Eigen::Vector3d light{-0.8, 0.6, 0.5};
   int width = 800;
   int height = 600;
   int columns = 0;
@@ -26,6 +27,7 @@ struct PictureOptions {
   static void fields(Self& o, Visit&& visit) {
     visit("direction", o.direction, "of view, from the eye into the scene");
     visit("up", o.up, "what points up in the picture");
+    visit("light", o.light, "toward the main light: right, up, back to the camera");
     visit("width", o.width, "of one panel [pixel]");
     visit("height", o.height, "of one panel [pixel]");
     visit("columns", o.columns, "panels beside each other; 0: two for one run, four for a sweep");

@@ -6,6 +6,7 @@
 namespace deformlab {
 namespace {
 
+constexpr double kNodeShare = 0.03;  // of a mean edge: nodes of a dense graph are drawn smaller
 constexpr std::size_t kMostHandleBalls = 60;  // more are a region, which its tint shows better
 
 // A square at each deformed node, upright along x at rest, as its R_j deforms it: the
@@ -46,7 +47,8 @@ void PictureBook::add(const Shape& shape, const EmbeddedDeformation& deformer,
     add_balls(panel, shape.V(Eigen::all, moved), kHandleRadius * size, colors::kHandle);
   }
   if (options_.graph == "all" || (options_.graph == "rest" && panels_.empty() && options_.rest)) {
-    add_graph(panel, deformer.graph(), deformed_nodes(deformer.graph(), X), kNodeRadius * size);
+    add_graph(panel, deformer.graph(), deformed_nodes(deformer.graph(), X),
+              std::min(kNodeRadius * size, kNodeShare * mean_edge_length(deformer.graph())));
   }
   if (options_.frames)
     add_frames(panel, deformer.graph(), X, 0.25 * mean_edge_length(deformer.graph()));
@@ -70,6 +72,7 @@ Image PictureBook::render() const {
   options.height = options_.height;
   options.camera.direction = options_.direction;
   options.camera.up = options_.up;
+  options.light = options_.light;
   const int columns = options_.columns > 0 ? options_.columns : panels_.size() <= 2 ? 2 : 4;
   return render_grid(panels_, options, std::min<int>(columns, static_cast<int>(panels_.size())));
 }

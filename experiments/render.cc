@@ -21,8 +21,8 @@ constexpr float kForgivenDepth = 2.0F;   // in radii: what is so near the surfac
 struct Lights {
   Eigen::Vector3f key, fill, sky;
 
-  explicit Lights(const View& view)
-      : key(view_direction(view, {-0.80, 0.60, 0.50})),
+  Lights(const View& view, const Eigen::Vector3d& toward_key)
+      : key(view_direction(view, toward_key)),
         fill(view_direction(view, {0.80, 0.10, 0.60})),
         sky(view_direction(view, {0.00, 1.00, 0.15})) {}
 
@@ -96,8 +96,8 @@ void lay_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& ove
 
 /// One picture being made: what a ray sees.
 struct Scene {
-  Scene(const Panel& panel, const View& v)
-      : view(v), lights(v), surface(panel.shape, panel.vertex_colors, v) {
+  Scene(const Panel& panel, const View& v, const Eigen::Vector3d& light)
+      : view(v), lights(v, light), surface(panel.shape, panel.vertex_colors, v) {
     lay_balls(panel.balls, view, overlay);
     lay_sticks(panel.sticks, view, overlay);
     overlay.scene.commit();
@@ -195,7 +195,7 @@ Image render(const Panel& panel, const View& view, const RenderOptions& options)
     throw InputError("cannot render with " + std::to_string(options.samples) +
                      " samples: at least 1 is needed");
   Image image(options.width, options.height);
-  const Scene scene(panel, view);
+  const Scene scene(panel, view, options.light);
   parallel_for(image.height, options.threads,
                [&](int y) { render_row(scene, y, options.samples, image); });
   return image;

@@ -41,6 +41,9 @@ struct RenderOptions {
   int samples = 3;   ///< rays a pixel, along each side
   int threads = 0;   ///< 0: as many as the machine has; the picture does not depend on it
   Camera camera = {};
+  /// Toward the main light as the camera sees it: right, up, back to the camera. A low light from
+  /// the side brings out relief.
+  Eigen::Vector3d light{-0.80, 0.60, 0.50};
 };
 
 /// 3×#V: colors::kSurface, and `color` at the vertices named.

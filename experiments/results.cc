@@ -163,6 +163,10 @@ void write_text(const fs::path& path, const std::string& text) {
 
 AtomicFolder::AtomicFolder(fs::path target) : target_(std::move(target)) {
   std::error_code error;
+  for (fs::path p = target_.parent_path(); !p.empty() && !fs::exists(p, error);) {
+    made_.push_back(p);
+    p = p.parent_path();
+  }
   fs::create_directories(target_.parent_path().empty() ? "." : target_.parent_path(), error);
   const bool taken = !error && fs::exists(target_, error) && !fs::is_directory(target_, error);
   temporary_ = target_.parent_path() /
@@ -176,6 +180,7 @@ AtomicFolder::AtomicFolder(fs::path target) : target_(std::move(target)) {
 AtomicFolder::~AtomicFolder() {
   std::error_code ignored;
   fs::remove_all(temporary_, ignored);
+  for (const fs::path& folder : made_) fs::remove(folder, ignored);  // those that stayed empty
 }
 
 void AtomicFolder::commit() {

@@ -24,6 +24,7 @@ class AtomicFolder {
 
  private:
   std::filesystem::path target_, temporary_;
+  std::vector<std::filesystem::path> made_;  ///< missing folders on the way, the deepest first
 };
 
 /// Writes into `folder`: config.yaml (with every default), metrics.json, environment.json,

@@ -2,19 +2,39 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "energies/catalog.h"
+#include "experiments/camera.h"
 #include "experiments/config.h"
 #include "experiments/edit.h"
 #include "experiments/pictures.h"
+#include "experiments/suggest.h"
+#include "geometry/error.h"
 
 namespace deformlab {
 namespace {
 
+constexpr int kMostPixels = 4096;  // along a side of a panel
+
 ConfigNode with_overrides(ConfigNode root, const std::vector<Override>& overrides) {
   for (const Override& change : overrides) apply_override(root, change);
   return root;
+}
+
+// A sweep would silently win over what was asked for on the command line.
+void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& sweep) {
+  for (const Override& change : overrides) {
+    for (const ConfigNode& swept : sweep.children) {
+      const bool same = change.key == swept.key || change.key.starts_with(swept.key + ".") ||
+                        swept.key.starts_with(change.key + ".");
+      if (!same) continue;
+      throw InputError("override " + quote(change.text()) + ": the config sweeps over '" +
+                       swept.key + "' itself (" + swept.key_where() +
+                       "); override 'sweep={...}' instead, or 'sweep=null' for a single run");
+    }
+  }
 }
 
 ExperimentConfig read(const ConfigNode& root) {
@@ -57,6 +77,52 @@ std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
   return result;
 }
 
+// What a picture could not show is found out before the work, not after it.
+void check_picture(const PictureOptions& o) {
+  if (std::min(o.width, o.height) < 1 || std::max(o.width, o.height) > kMostPixels) {
+    throw InputError("picture.width × picture.height is " + std::to_string(o.width) + " × " +
+                     std::to_string(o.height) + "; each is 1 to " + std::to_string(kMostPixels));
+  }
+  if (o.columns < 0) {
+    throw InputError("picture.columns is " + std::to_string(o.columns) + "; it is 0 or more");
+  }
+  frame(Eigen::Matrix3Xd(3, 0), {.direction = o.direction, .up = o.up}, o.width, o.height);
+}
+
+// Each run is of the rest of the config: the pictures, the claims and the sweep are of all of them.
+void check_swept_keys(const ConfigNode& sweep) {
+  for (const ConfigNode& swept : sweep.children) {
+    const std::string key = swept.key.substr(0, swept.key.find('.'));
+    for (const char* whole : {"title", "paper", "picture", "sweep", "claims"}) {
+      if (key != whole) continue;
+      throw InputError("the sweep over " + quote(swept.key) + " (" + swept.key_where() +
+                       ") changes no run: '" + key + "' is one for all of them");
+    }
+  }
+}
+
+// A config that was read whole: nothing in it is unknown, of a wrong type or out of its range.
+struct Plan {
+  ExperimentConfig config;
+  std::vector<std::vector<Override>> combinations;
+  std::vector<ExperimentConfig> runs;
+};
+
+Plan plan(const std::filesystem::path& path, const std::vector<Override>& overrides) {
+  const ConfigNode root = with_overrides(load_config(path), overrides);
+  Plan result{read(root), {}, {}};
+  check_picture(result.config.picture);
+  check_not_swept(overrides, result.config.sweep);
+  check_swept_keys(result.config.sweep);
+  result.combinations = expand_sweep(result.config.sweep);
+  for (const auto& combination : result.combinations) {
+    result.runs.push_back(read(with_overrides(root, combination)));
+    make_solver(result.runs.back().deformation.solver);
+    read_edit(result.runs.back().edit);
+  }
+  return result;
+}
+
 }  // namespace
 
 void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& options) {
@@ -77,19 +143,16 @@ std::string label(const MeasuredRun& run) {
   return text;
 }
 
+void check_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides) {
+  plan(path, overrides);
+}
+
 Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        const Progress& progress) {
-  const ConfigNode root = with_overrides(load_config(path), overrides);
+  const auto [config, combinations, configs] = plan(path, overrides);
   Outcome outcome;
-  outcome.config = read(root);
+  outcome.config = config;
   outcome.resolved = to_node(outcome.config);
-  const auto combinations = expand_sweep(outcome.config.sweep);
-  std::vector<ExperimentConfig> configs;  // all are read before the first is run
-  for (const auto& combination : combinations) {
-    configs.push_back(read(with_overrides(root, combination)));
-    make_solver(configs.back().deformation.solver);
-    read_edit(configs.back().edit);
-  }
   PictureBook pictures(outcome.config.picture);
   for (std::size_t i = 0; i < configs.size(); ++i) {
     MeasuredRun settings;

@@ -41,6 +41,9 @@ using Progress = std::function<void(std::size_t, std::size_t, const std::string&
 Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        const Progress& progress);
 
+/// Throws the InputError that run_experiment would throw for the config itself, before any work.
+void check_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides);
+
 /// `method ceres, nodes 425`, what a run sets by the last part of its keys; empty for a config
 /// without a sweep.
 std::string label(const MeasuredRun& run);

@@ -1,5 +1,5 @@
 #include <cstdio>
-#include <exception>
+#include <map>
 
 #include "experiments/commands.h"
 #include "experiments/results.h"
@@ -37,6 +37,18 @@ bool run_config(const fs::path& config, const std::vector<Override>& overrides,
   return good;
 }
 
+// Each config has a folder of its name.
+void check_names(const std::vector<fs::path>& configs) {
+  std::map<fs::path, fs::path> by_name;
+  for (const fs::path& config : configs) {
+    const auto [first, is_new] = by_name.emplace(config.stem(), config);
+    if (is_new) continue;
+    throw InputError("'" + first->second.string() + "' and '" + config.string() +
+                     "' would write one folder '" + config.stem().string() +
+                     "'; run them with different --out");
+  }
+}
+
 }  // namespace
 
 int run_command(const std::vector<std::string>& arguments, const fs::path& out) {
@@ -52,6 +64,8 @@ int run_command(const std::vector<std::string>& arguments, const fs::path& out) 
   if (configs.empty()) {
     throw InputError("run which config? for example: deformlab run configs/sumner_figure_3.yaml");
   }
+  check_names(configs);
+  for (const fs::path& config : configs) check_experiment(config, overrides);
   bool good = true;
   for (const fs::path& config : configs) good = run_config(config, overrides, out) && good;
   write_gallery(out);
