@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "energies/catalog.h"
@@ -16,15 +17,23 @@
 namespace deformlab {
 namespace {
 
+constexpr int kMostNamed = 5;       // components in the notes; more are counted
+constexpr double kMostUnits = 1e9;  // of length_unit in a mean edge, and of mean edges in it
+
 double length_unit(const std::string& text, const DeformationGraph& graph) {
   if (text == "mean_edge") return mean_edge_length(graph);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && value > 0 &&
-      std::isfinite(value)) {
-    return value;
+  const bool positive = error == std::errc() && end == text.data() + text.size() && value > 0;
+  if (!positive || !std::isfinite(value)) {
+    throw InputError("length_unit is '" + text + "'; it is mean_edge or a positive number");
   }
-  throw InputError("length_unit is '" + text + "'; it is mean_edge or a positive number");
+  const double edge = mean_edge_length(graph);
+  if (value >= edge / kMostUnits && value <= edge * kMostUnits) return value;
+  std::ostringstream message;
+  message << "length_unit is '" << text << "', but the mean edge of the graph is " << edge
+          << "; choose one within a factor of " << kMostUnits << " of it";
+  throw InputError(message.str());
 }
 
 DeformationGraph scaled(DeformationGraph graph, double factor) {
@@ -110,6 +119,11 @@ void EmbeddedDeformation::register_shape(const Eigen::Matrix3Xd& nodes) {
                                   " nodes, fewer than graph.neighbors + 1: " +
                                   "each vertex follows " + std::to_string(embedding_.nodes.rows()));
   }
+  if (nodes.cols() > rest_.V.cols()) {
+    registration_notes_.push_back("the graph has " + std::to_string(nodes.cols()) + " nodes for " +
+                                  std::to_string(rest_.V.cols()) +
+                                  " vertices: nodes that no vertex follows do nothing; use fewer");
+  }
   unit_ = deformlab::length_unit(options_.length_unit, graph_);
   const int m = static_cast<int>(nodes.cols());
   stage_.x = Unknowns::uniform(rest_transformations(m), m);
@@ -159,7 +173,7 @@ void EmbeddedDeformation::hold_free_components() {
     ++size[component[j]];
     anchored[component[j]] |= stage_.fixed[j];
   }
-  int lone = 0;
+  int lone = 0, held = 0;
   for (int c = 0; c < count; ++c) {
     if (anchored[c]) continue;
     const std::string name = "component " + std::to_string(c) + " of the graph (" +
@@ -180,9 +194,13 @@ void EmbeddedDeformation::hold_free_components() {
     }
     if (size[c] == 1) {
       ++lone;
-    } else {
+    } else if (++held <= kMostNamed) {
       compilation_notes_.push_back(name + " has no handle: it stays where it is");
     }
+  }
+  if (held > kMostNamed) {
+    compilation_notes_.push_back(std::to_string(held - kMostNamed) +
+                                 " more components have no handle: they stay where they are");
   }
   if (lone > 0) {
     compilation_notes_.push_back(std::to_string(lone) + " nodes have no neighbour and no handle: " +
@@ -211,6 +229,7 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   check_vertices(handles.moved, rest_.V.cols());
   check_disjoint(handles);
   compilation_notes_.clear();
+  fixed_ = handles.fixed;
   handles_ = subset(embedding_, handles.moved);
   fix_nodes(handles);
   hold_free_components();
@@ -257,6 +276,7 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   {
     Stopwatch watch(report.seconds["transfer"]);
     deformed_.V = transfer_positions(X, graph_.g, embedding_);
+    for (const int i : fixed_) deformed_.V.col(i) = rest_.V.col(i);  // free of rounding
     if (rest_.N.cols() > 0) deformed_.N = transfer_normals(X, rest_.N, embedding_);
   }
   report.nodes = static_cast<int>(graph_.g.cols());

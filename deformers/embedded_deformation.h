@@ -60,6 +60,7 @@ class EmbeddedDeformation final : public Deformer {
   EmbeddedDeformationOptions options_;
   Shape rest_, deformed_;
   Embedding embedding_, handles_;  // of the whole shape, and of its moved vertices [length]
+  std::vector<int> fixed_;         // vertices
   DeformationGraph graph_;
   double unit_ = 1;
   Stage stage_;

@@ -191,7 +191,7 @@ class Resolver {
   }
 
   void move(int i, int e, const Eigen::Vector3d& target) {
-    if (!target.allFinite()) {
+    if (!(target.cwiseAbs().maxCoeff() <= kMostLength)) {
       throw InputError(entries_[e].where + " moves vertex " + std::to_string(i) +
                        " beyond the range of numbers, to " + text_of(target));
     }

@@ -58,7 +58,10 @@ Shape make_plane(const ShapeOptions& o) {
 }
 
 Shape make_shape(const ShapeOptions& options, const fs::path& folder) {
-  return options.file.empty() ? make_plane(options) : read_shape(find_shape(options.file, folder));
+  if (!options.file.empty()) return read_shape(find_shape(options.file, folder));
+  Shape shape = make_plane(options);
+  check(shape, "the plane that `shape` describes");
+  return shape;
 }
 
 }  // namespace deformlab

@@ -19,7 +19,8 @@ using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann:
 
 constexpr int kDensity = 30;  // dense points for each node that was asked for
 constexpr int kFewestDense = 10000;
-constexpr int kMostPasses = 100;  // of the search for the radius
+constexpr int kMostNodes = 20000;  // far beyond what solves in seconds
+constexpr int kMostPasses = 100;   // of the search for the radius
 
 Eigen::VectorXd areas(const Shape& shape, const Eigen::Matrix3Xi& T) {
   Eigen::VectorXd result(T.cols());
@@ -113,7 +114,8 @@ Eigen::Matrix3Xd eliminate_to(const Eigen::Matrix3Xd& dense, int m, double guess
   std::vector<Eigen::Index> best = elimination.remaining(0);
   if (static_cast<int>(best.size()) < m) {
     throw InputError("graph.nodes is " + std::to_string(m) + ", but the shape has only " +
-                     std::to_string(best.size()) + " distinct points to place nodes at");
+                     std::to_string(best.size()) + " distinct point" +
+                     (best.size() == 1 ? "" : "s") + " to place nodes at");
   }
   double low = 0, high = std::numeric_limits<double>::infinity(), r = guess;
   for (int pass = 0; pass < kMostPasses && static_cast<int>(best.size()) != m; ++pass) {
@@ -134,6 +136,10 @@ Eigen::Matrix3Xd eliminate_to(const Eigen::Matrix3Xd& dense, int m, double guess
 
 Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed) {
   if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
+  if (m > kMostNodes) {
+    throw InputError("graph.nodes is " + std::to_string(m) + "; at most " +
+                     std::to_string(kMostNodes) + " are possible");
+  }
   const Eigen::Matrix3Xi T = triangles(shape);
   const double surface = areas(shape, T).sum();
   const int count = std::max(kDensity * m, kFewestDense);

@@ -23,6 +23,18 @@ void check_finite(const Eigen::Matrix3Xd& columns, const char* kind, const std::
   }
 }
 
+// Areas and energies hold the fourth power of a length: it must not leave the range of a double.
+void check_scale(const Eigen::Matrix3Xd& V, const std::string& name) {
+  const double across = bounding_box_diagonal(V);
+  const double farthest = V.cwiseAbs().maxCoeff();
+  const bool usable = across == 0 || (across >= kLeastLength && across <= kMostLength);
+  if (usable && farthest <= kMostLength) return;
+  std::ostringstream what;
+  what << "it is " << across << " across and reaches " << farthest
+       << " from the origin; allowed are " << kLeastLength << " to " << kMostLength << ": scale it";
+  reject(name, what.str());
+}
+
 void check_faces(const Shape& shape, const std::string& name) {
   const Eigen::Index count = shape.V.cols();
   for (std::size_t f = 0; f < shape.faces.size(); ++f) {
@@ -45,6 +57,7 @@ void check(const Shape& shape, const std::string& name) {
   }
   check_finite(shape.V, "position", name);
   check_finite(shape.N, "normal", name);
+  check_scale(shape.V, name);
   check_faces(shape, name);
 }
 

@@ -14,8 +14,11 @@ struct Shape {
   std::vector<std::vector<int>> faces;  ///< polygons as lists of vertex indices; empty: a point set
 };
 
+/// Least and greatest extent of a shape that can be computed with [length].
+inline constexpr double kLeastLength = 1e-50, kMostLength = 1e50;
+
 /// Throws InputError where the shape has no vertices, a coordinate is NaN or infinite (naming the
-/// vertex), a face names a vertex that does not exist, or N is neither empty nor 3×#V.
+/// vertex), its extent is neither 0 nor in the range above, a face names a vertex that does not exist, or N is neither empty nor 3×#V.
 /// `name` is what the message calls the shape, usually its path.
 void check(const Shape& shape, const std::string& name);
 
