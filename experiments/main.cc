@@ -1,6 +1,7 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -33,6 +34,40 @@ int dispatch(const std::string& command, const std::vector<std::string>& argumen
                    known_names(command, {"run", "deform", "list", "help"}));
 }
 
+std::string value_of(const std::string& name, const std::string& type, int argc, char** argv,
+                     int& i) {
+  if (type == "bool") return "true";
+  if (++i < argc) return argv[i];
+  throw InputError("--" + name + " needs a value");
+}
+
+// gflags' own parser would end the program with status 1 and name no near flag.
+std::vector<std::string> parse_flags(int argc, char** argv) {
+  std::vector<std::string> others;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.size() < 2 || argument[0] != '-') {
+      others.push_back(argument);
+      continue;
+    }
+    const std::size_t begin = std::min(argument.find_first_not_of('-'), argument.size());
+    const std::size_t equals = std::min(argument.find('='), argument.size());
+    const std::string name = argument.substr(begin, equals - begin);
+    gflags::CommandLineFlagInfo flag;
+    if (!gflags::GetCommandLineFlagInfo(name.c_str(), &flag)) {
+      throw InputError("unknown flag " + quote(argument) + "; " +
+                       known_names(name, {"out", "edit", "metrics", "picture", "nodes"}));
+    }
+    const std::string value = equals < argument.size() ? argument.substr(equals + 1)
+                                                       : value_of(name, flag.type, argc, argv, i);
+    if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty()) {
+      throw InputError("wrong value " + quote(value) + " for --" + name + "; expected " +
+                       flag.type);
+    }
+  }
+  return others;
+}
+
 bool asks_for_help(int argc, char** argv) {
   if (argc < 2) return true;
   for (int i = 1; i < argc; ++i) {
@@ -49,13 +84,12 @@ int main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_WARNING;
   FLAGS_log_prefix = false;
-  const bool help = asks_for_help(argc, argv);
-  if (!help) gflags::ParseCommandLineFlags(&argc, &argv, true);
   google::InitGoogleLogging("deformlab");
   try {
-    if (help) return dispatch("help", {});
-    if (argc < 2) throw InputError("no command; known: run, deform, list, help");
-    return dispatch(argv[1], {argv + 2, argv + argc});
+    if (asks_for_help(argc, argv)) return dispatch("help", {});
+    const std::vector<std::string> arguments = parse_flags(argc, argv);
+    if (arguments.empty()) throw InputError("no command; known: run, deform, list, help");
+    return dispatch(arguments.front(), {arguments.begin() + 1, arguments.end()});
   } catch (const InputError& e) {
     std::fprintf(stderr, "deformlab: %s\n", e.what());
     return 2;
