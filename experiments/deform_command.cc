@@ -1,6 +1,9 @@
 #include <glog/logging.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 
 #include "experiments/commands.h"
 #include "experiments/config.h"
@@ -16,14 +19,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that is to be written needs its folder: said before the work, not after it.
-void check_folder(const std::string& file, const char* flag) {
+// What is to be written is tried before the work, not after it.
+void check_output(const std::string& file, const char* flag) {
   if (file.empty()) return;
+  const std::string cannot = "cannot write '" + file + "' (" + flag + "): ";
   const fs::path folder = fs::path(file).parent_path();
   std::error_code error;
-  if (fs::is_directory(folder.empty() ? "." : folder, error)) return;
-  throw InputError(std::string(flag) + " '" + file + "': there is no folder '" + folder.string() +
-                   "'; make it first");
+  if (!fs::is_directory(folder.empty() ? "." : folder, error)) {
+    throw InputError(cannot + "there is no folder '" + folder.string() + "'; make it first");
+  }
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
+    throw InputError(cannot + "it is a folder or a device; name a file");
+  }
+  const fs::path trial = file + ".partial" + std::to_string(getpid());
+  if (!std::ofstream(trial)) throw InputError(cannot + "its folder takes no new file");
+  fs::remove(trial, error);
+}
+
+void check_outputs(const std::string& shape, const DeformFlags& flags) {
+  check_output(flags.out, "--out");
+  check_output(flags.metrics, "--metrics");
+  check_output(flags.picture, "--picture");
+  check_extension(flags.out);
+  if (!flags.picture.empty() && fs::path(flags.picture).extension() != ".png") {
+    throw InputError("--picture '" + flags.picture + "': a picture's name must end in .png");
+  }
+  const std::vector<std::string> files{shape, flags.edit, flags.out, flags.metrics, flags.picture};
+  for (std::size_t written = 2; written < files.size(); ++written) {
+    for (std::size_t other = 0; other < written; ++other) {
+      const bool in_place = written == 2 && other == 0;
+      const bool same = fs::weakly_canonical(files[written]) == fs::weakly_canonical(files[other]);
+      if (in_place || files[written].empty() || !same) continue;
+      throw InputError("'" + files[written] + "' is named twice, by two of SHAPE, --edit, --out, " +
+                       "--metrics and --picture; only SHAPE and --out may be one file");
+    }
+  }
 }
 
 EmbeddedDeformationOptions read_options(const std::vector<std::string>& overrides, int nodes) {
@@ -61,9 +91,7 @@ int deform_command(const std::vector<std::string>& arguments, const DeformFlags&
         "deform needs a shape, an edit and an output: "
         "deformlab deform SHAPE --edit EDIT.yaml --out OUT [key=value]…");
   }
-  check_folder(flags.out, "--out");
-  check_folder(flags.metrics, "--metrics");
-  check_folder(flags.picture, "--picture");
+  check_outputs(arguments.front(), flags);
   const auto options = read_options({arguments.begin() + 1, arguments.end()}, flags.nodes);
   const std::vector<EditEntry> entries = read_edit_file(flags.edit);
   const Shape rest = read_shape(arguments.front());
@@ -79,9 +107,10 @@ int deform_command(const std::vector<std::string>& arguments, const DeformFlags&
     return 1;
   }
   if (report.solve.status != Status::kConverged) LOG(WARNING) << report.solve.message;
-  write_shape(flags.out, deformer.deformed(), arguments.front());
-  if (!flags.metrics.empty()) write_text(flags.metrics, to_json(report));
   if (!flags.picture.empty()) draw(deformer, rest, edit, flags.picture);
+  if (!flags.metrics.empty()) write_text(flags.metrics, to_json(report));
+  write_shape(flags.out, deformer.deformed(),
+              arguments.front());  // last: it may replace its source
   print(report, flags.out);
   return 0;
 }

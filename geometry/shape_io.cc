@@ -138,6 +138,8 @@ Shape read_shape(const fs::path& path) {
   return shape;
 }
 
+void check_extension(const fs::path& out) { format_of(out, "write"); }
+
 void write_shape(const fs::path& out, const Shape& shape, const fs::path& source) {
   const Format& format = format_of(out, "write");
   check(shape, out.string());

@@ -36,4 +36,7 @@ Shape read_shape(const std::filesystem::path& path);
 void write_shape(const std::filesystem::path& out, const Shape& shape,
                  const std::filesystem::path& source = {});
 
+/// Throws InputError where the extension of `out` tells no format to write.
+void check_extension(const std::filesystem::path& out);
+
 }  // namespace deformlab
