@@ -19,8 +19,10 @@ std::string contents(const fs::path& path) {
 }
 
 std::string claim_line(const Json& claim) {
-  char measured[32];
-  std::snprintf(measured, sizeof measured, "%.4g", claim.value("measured", 0.0));
+  char measured[32] = "no number";  // JSON has neither NaN nor infinity
+  if (claim.at("measured").is_number()) {
+    std::snprintf(measured, sizeof measured, "%.4g", claim.at("measured").get<double>());
+  }
   const std::string known = claim.value("known", ""), says = claim.value("says", "");
   std::string line = "| " + claim.value("name", "") + " | " + says + " | " + measured + " | " +
                      claim.value("expected", "") + " | ";
@@ -29,8 +31,7 @@ std::string claim_line(const Json& claim) {
 }
 
 std::string section(const fs::path& folder) {
-  const Json metrics = Json::parse(contents(folder / "metrics.json"), nullptr, false);
-  if (!metrics.is_object()) return "";
+  const Json metrics = Json::parse(contents(folder / "metrics.json"));
   const std::string name = folder.filename().string();
   std::string text = "## " + name + "\n\n" + metrics.value("title", "") + "\n\n";
   const std::string paper = metrics.value("paper", "");
@@ -43,6 +44,15 @@ std::string section(const fs::path& folder) {
   }
   if (fs::exists(folder / "table.md")) text += contents(folder / "table.md") + "\n";
   return text + "`./deformlab run configs/" + name + ".yaml`\n\n";
+}
+
+// A folder of somebody else's is no part of the gallery.
+std::string section_or_nothing(const fs::path& folder) {
+  try {
+    return section(folder);
+  } catch (const Json::exception&) {
+    return "";
+  }
 }
 
 }  // namespace
@@ -59,7 +69,7 @@ void write_gallery(const fs::path& results) {
       "picture lie the config with every default (config.yaml), all measurements (metrics.json), "
       "the solves step by step (trace*.csv), and what depends on the machine: times.json and "
       "environment.json.\n\n";
-  for (const fs::path& folder : folders) text += section(folder);
+  for (const fs::path& folder : folders) text += section_or_nothing(folder);
   text.pop_back();
   write_text(results / "README.md", text);
 }
