@@ -16,6 +16,19 @@ void show_progress(const std::string& name, std::size_t i, std::size_t n, const 
                what.c_str());
 }
 
+// A solve that failed has no result. Only a config that makes a claim of it may expect that.
+bool report_failures(const std::string& name, const Outcome& outcome) {
+  bool failed = false, expected = false;
+  for (const Claim& claim : outcome.config.claims) expected |= claim.measure == "converged";
+  for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
+    const Summary& solve = outcome.runs[i].solve;
+    if (solve.status != Status::kFailed) continue;
+    std::printf("%s: run %zu: the solver failed: %s\n", name.c_str(), i + 1, solve.message.c_str());
+    failed = true;
+  }
+  return !failed || expected;
+}
+
 // True where every claim holds, or falls short for a known reason.
 bool run_config(const fs::path& config, const std::vector<Override>& overrides,
                 const fs::path& out) {
@@ -26,7 +39,7 @@ bool run_config(const fs::path& config, const std::vector<Override>& overrides,
   });
   write_results(outcome, folder.path());
   folder.commit();
-  bool good = true;
+  bool good = report_failures(name, outcome);
   for (const ClaimResult& claim : outcome.claims) {
     std::printf("%s\n", claim.line().c_str());
     good = good && (claim.holds || !claim.known.empty());
