@@ -10,6 +10,7 @@
 #include "geometry/embedding.h"
 #include "geometry/error.h"
 #include "solvers/blas.h"
+#include "solvers/one_thread.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -254,7 +255,10 @@ Summary CeresSolver::solve(Stage& stage) {
   Recorder recorder(x_, options_.epsilon, summary);
   options.callbacks.push_back(&recorder);
   ceres::Solver::Summary result;
-  ceres::Solve(options, problem_.get(), &result);
+  {
+    const OneThread one_thread;  // CHOLMOD below Ceres does not know of its num_threads
+    ceres::Solve(options, problem_.get(), &result);
+  }
   conclude(result, summary);
   if (summary.status != Status::kFailed) stage.x.X = x_.X;
   for (const auto& [energy, weight] : stage.terms) {

@@ -16,7 +16,7 @@ class CholmodSolver final : public LinearSolver {
   CholmodSolver(const CholmodSolver&) = delete;
   CholmodSolver& operator=(const CholmodSolver&) = delete;
 
-  Eigen::VectorXi order(const SparseMatrix& lower) override;
+  Eigen::VectorXi order(const SparseMatrix& lower, int group) override;
   void analyze(const SparseMatrix& lower) override;
   bool factorize(const SparseMatrix& lower) override;
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override;
@@ -24,6 +24,7 @@ class CholmodSolver final : public LinearSolver {
 
  private:
   void free_factor();
+  Eigen::VectorXi analyzed(cholmod_factor* factor);
 
   cholmod_common common_;
   cholmod_factor* L_ = nullptr;

@@ -31,7 +31,7 @@ void GaussNewton::compile(const Stage& stage) {
   delta_.resize(n);
   D_.resize(n);
   if (n == 0) return;
-  equations_->reorder(linear_->order(equations_->H()));
+  equations_->reorder(linear_->order(equations_->H(), stage.x.dimension()));
   linear_->analyze(equations_->H());
   damped_ = equations_->H();
   diagonal_.resize(n);

@@ -1,6 +1,7 @@
 #include "solvers/normal_equations.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace deformlab {
@@ -29,9 +30,7 @@ NormalEquations::NormalEquations(const Stage& stage) : dimension_(stage.x.dimens
     parts_.push_back(std::move(part));
   }
   A_.resize(x.X.cols(), x.X.cols());
-  Triplets triplets;
-  add_separable(triplets);
-  A_.setFromTriplets(triplets.begin(), triplets.end());
+  assemble_separable();
   assemble_structure();
 }
 
@@ -67,21 +66,24 @@ void NormalEquations::add_constant(const Unknowns& x, Part& part) {
   }
 }
 
-// Zero coefficients leave no trace in the structure: E_reg does not couple R_j with R_k.
-void NormalEquations::add_separable(Triplets& A) const {
+// A = CᵀC with one row of C an element: √w a. Zero coefficients leave no trace in the structure:
+// E_reg does not couple R_j with R_k.
+void NormalEquations::assemble_separable() {
+  Triplets entries;
+  int row = 0;
   for (const Part& part : parts_) {
     if (part.energy->structure() != Structure::kSeparable) continue;
-    const int n = static_cast<int>(part.J.rows());
-    for (int e = 0; e < part.energy->size(); ++e) {
-      const int* column = part.column.data() + std::ptrdiff_t(e) * n;
-      for (int p = 0; p < n; ++p) {
-        for (int q = 0; q < n; ++q) {
-          const double value = part.weight * part.J(p, e) * part.J(q, e);
-          if (value != 0 && column[p] >= column[q]) A.emplace_back(column[p], column[q], value);
-        }
+    for (int e = 0; e < part.energy->size(); ++e, ++row) {
+      const int* column = part.column.data() + e * part.J.rows();
+      for (Eigen::Index p = 0; p < part.J.rows(); ++p) {
+        const double value = std::sqrt(part.weight) * part.J(p, e);
+        if (value != 0) entries.emplace_back(row, column[p], value);
       }
     }
   }
+  SparseMatrix C(row, A_.cols());
+  C.setFromTriplets(entries.begin(), entries.end());
+  A_ = SparseMatrix(C.transpose() * C).triangularView<Eigen::Lower>();
 }
 
 // visit(p, q, row, column) for every pair of entries p, q of an element whose place is free and in

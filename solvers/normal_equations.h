@@ -49,8 +49,8 @@ class NormalEquations {
 
   void add_columns(const Unknowns& x, Part& part) const;
   void add_constant(const Unknowns& x, Part& part);
+  void assemble_separable();
   void assemble_structure();
-  void add_separable(Triplets& H) const;
   template <class Visit>
   void for_each_pair(const Part& part, int e, Visit&& visit) const;
   void add_JtJ(const Part& part);
