@@ -6,10 +6,6 @@
 
 #include "tests/support/stages.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#include <sanitizer/allocator_interface.h>
-#endif
-
 // Counts the heap calls of the whole program; CHOLMOD's own, which go through SuiteSparse's
 // function pointers, are left out. (operator new would not do: Eigen allocates by malloc.)
 namespace {
@@ -42,8 +38,13 @@ void* suitesparse_realloc(void* p, size_t size) {
 }  // namespace
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+// Of the sanitizers' allocator_interface.h, which GCC does not bring along.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*,
+                                                                           size_t),
+                                                         void (*freed)(const volatile void*));
+
 namespace {
-const int installed = __sanitizer_install_malloc_and_free_hooks(
+[[maybe_unused]] const int installed = __sanitizer_install_malloc_and_free_hooks(
     [](const volatile void*, size_t) { count(); }, [](const volatile void*) {});
 }
 #else
