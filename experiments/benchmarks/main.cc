@@ -5,8 +5,8 @@
 
 #include <cstdio>
 #include <iostream>
-#include <map>
 #include <string>
+#include <string_view>
 
 #include "experiments/benchmarks/comparison.h"
 #include "experiments/benchmarks/growth.h"
@@ -16,7 +16,7 @@
 
 DEFINE_string(comparison, "auto",
               "compare with Ceres' configurations: yes, no, or auto: unless a filter is given");
-DEFINE_int32(repetitions, 7, "of each pair in the comparison");
+DEFINE_int32(repetitions, 5, "of each pair in the comparison");
 DEFINE_string(report, "", "write all figures into this Markdown file");
 
 namespace deformlab {
@@ -65,6 +65,15 @@ std::string report(const std::string& figures, const std::string& comparisons) {
          comparisons + "\n## Figures\n\n" + figures;
 }
 
+void print_help() {
+  benchmark::PrintDefaultHelp();
+  std::cout
+      << "deformlab_bench's own:\n"
+         "          [--comparison=auto|yes|no] with Ceres' configurations (auto: unless filtered)\n"
+         "          [--repetitions=<pairs of solves>]\n"
+         "          [--report=<Markdown file>]\n";
+}
+
 int run(bool filtered) {
   force_one_thread();
   std::cout << context() << std::flush;
@@ -91,7 +100,7 @@ int main(int argc, char** argv) {
     filtered = filtered || argument.starts_with("--benchmark_filter") ||
                argument.starts_with("--benchmark_list");
   }
-  benchmark::Initialize(&argc, argv);
+  benchmark::Initialize(&argc, argv, deformlab::print_help);
   gflags::ParseCommandLineFlags(&argc, &argv, true);
   try {
     return deformlab::run(filtered);
