@@ -97,11 +97,23 @@ std::string ClaimResult::line() const {
   return text;
 }
 
-ClaimResult check(const Claim& claim, const std::vector<MeasuredRun>& runs) {
+void check_form(const Claim& claim) {
+  const std::string whose = "claim '" + claim.name + "'";
   if (!claim.at_least && !claim.at_most && !claim.equals) {
-    throw InputError("claim '" + claim.name +
-                     "' expects nothing: give at_least, at_most or equals");
+    throw InputError(whose + " expects nothing: give at_least, at_most or equals");
   }
+  if (claim.within < 0) {
+    throw InputError(whose + ": within is " + number(claim.within) + "; it is 0 or more");
+  }
+  for (const ConfigNode* filter : {&claim.where, &claim.versus}) {
+    if (filter->kind == ConfigNode::Kind::kNull || filter->kind == ConfigNode::Kind::kMap) continue;
+    throw InputError(whose + " (" + filter->where() + "): 'where' and 'versus' are maps of keys " +
+                     "and values, found " + filter->found());
+  }
+}
+
+ClaimResult check(const Claim& claim, const std::vector<MeasuredRun>& runs) {
+  check_form(claim);
   ClaimResult result{claim.name, claim.says, expected(claim), claim.known, 0, false};
   result.measured = measured(claim, runs);
   result.holds = excess(claim, result.measured) <= 0;

@@ -53,7 +53,11 @@ struct ClaimResult {
   std::string line() const;
 };
 
-/// Throws InputError where a claim expects nothing, or names runs or a metric that do not exist.
+/// Throws InputError where a claim expects nothing, or in a way that cannot hold.
+void check_form(const Claim& claim);
+
+/// Throws InputError as check_form does, or where the claim names runs or a metric that do not
+/// exist.
 ClaimResult check(const Claim& claim, const std::vector<MeasuredRun>& runs);
 
 }  // namespace deformlab

@@ -36,6 +36,12 @@ void check_output(const std::string& file, const char* flag) {
   fs::remove(trial, error);
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  const fs::path first = fs::weakly_canonical(a, ignored);
+  return !first.empty() && first == fs::weakly_canonical(b, ignored);
+}
+
 void check_outputs(const std::string& shape, const DeformFlags& flags) {
   check_output(flags.out, "--out");
   check_output(flags.metrics, "--metrics");
@@ -48,7 +54,7 @@ void check_outputs(const std::string& shape, const DeformFlags& flags) {
   for (std::size_t written = 2; written < files.size(); ++written) {
     for (std::size_t other = 0; other < written; ++other) {
       const bool in_place = written == 2 && other == 0;
-      const bool same = fs::weakly_canonical(files[written]) == fs::weakly_canonical(files[other]);
+      const bool same = same_file(files[written], files[other]);
       if (in_place || files[written].empty() || !same) continue;
       throw InputError("'" + files[written] + "' is named twice, by two of SHAPE, --edit, --out, " +
                        "--metrics and --picture; only SHAPE and --out may be one file");

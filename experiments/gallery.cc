@@ -61,7 +61,8 @@ void write_gallery(const fs::path& results) {
   std::set<fs::path> folders;  // sorted
   for (const auto& entry : fs::directory_iterator(results)) {
     const bool hidden = entry.path().filename().string().starts_with(".");
-    if (!hidden && fs::exists(entry.path() / "metrics.json")) folders.insert(entry.path());
+    std::error_code ignored;
+    if (!hidden && fs::exists(entry.path() / "metrics.json", ignored)) folders.insert(entry.path());
   }
   std::string text =
       "# Results\n\nMade by `./deformlab run configs/*.yaml`, which rewrites this page. Beside "

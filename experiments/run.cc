@@ -112,6 +112,7 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
   const ConfigNode root = with_overrides(load_config(path), overrides);
   Plan result{read(root), {}, {}};
   check_picture(result.config.picture);
+  for (const Claim& claim : result.config.claims) check_form(claim);
   check_not_swept(overrides, result.config.sweep);
   check_swept_keys(result.config.sweep);
   result.combinations = expand_sweep(result.config.sweep);

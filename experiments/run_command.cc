@@ -68,7 +68,8 @@ int run_command(const std::vector<std::string>& arguments, const fs::path& out) 
   std::vector<fs::path> configs;
   std::vector<Override> overrides;
   for (const std::string& argument : arguments) {
-    if (argument.find('=') != std::string::npos && !fs::exists(argument)) {
+    std::error_code ignored;  // a long override is no possible file name
+    if (argument.find('=') != std::string::npos && !fs::exists(argument, ignored)) {
       overrides.push_back(parse_override(argument));
     } else {
       configs.emplace_back(argument);

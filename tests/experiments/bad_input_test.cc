@@ -18,6 +18,15 @@ void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.name; 
 
 class Refuses : public Program, public ::testing::WithParamInterface<Refusal> {};
 
+TEST_F(Program, RefusesALinkToItself) {
+  put("lift.yaml", kLift);
+  std::filesystem::create_symlink("loop.off", place("loop.off"));
+  const Ending ending =
+      start({"deform", "loop.off", "--edit", "lift.yaml", "--out", "out.off", "--nodes", "9"});
+  EXPECT_EQ(ending.status, 2);
+  EXPECT_THAT(ending.err, ::testing::HasSubstr("cannot read 'loop.off'"));
+}
+
 TEST_P(Refuses, WithAClearMessage) {
   put("plane.off", plane_off());
   put("lift.yaml", kLift);
@@ -229,6 +238,12 @@ const Refusal kConfigs[] = {
                {"claim 'a'", "at_least, at_most or equals"}),
     bad_config("ClaimOfNoRun", "claims=[{name: a, measure: cost, at_most: 1, where: {x: 7}}]",
                {"claim 'a'", "no run has {x: 7}"}),
+    bad_config("ClaimWithinLessThanNothing",
+               "claims=[{name: a, measure: cost, equals: 1, within: -1}]",
+               {"claim 'a'", "within is -1"}),
+    bad_config("ClaimWhereNoMap", "claims=[{name: a, measure: cost, equals: 1, where: 3}]",
+               {"claim 'a'", "'where'", "'3'"}),
+    bad_config("LongOverride", "title.x=" + std::string(5000, 'y'), {"title"}),
     bad_config("MisspeltClaim", "claims=[{nmae: a, measure: cost}]",
                {"'nmae'", "did you mean 'name'?"}),
 };
