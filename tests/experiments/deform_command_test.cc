@@ -268,6 +268,11 @@ TEST_F(DeformCommand, WritesNothingWhereTheSolverFails) {
   EXPECT_THAT(changes_since(before), ::testing::IsEmpty());
 }
 
+TEST_F(DeformCommand, TakesAnyNumberOfStepsAsTheMost) {
+  put("in.off", plane_off());
+  deform("in.off", kLift, {"solver.max_iterations=2147483647"});
+}
+
 TEST_F(DeformCommand, ReportsWhereItStoppedShort) {
   put("in.off", plane_off());
   const Ending ending = deform("in.off", kLift, {"solver.max_iterations=1"});
