@@ -18,8 +18,9 @@ struct Shape {
 inline constexpr double kLeastLength = 1e-50, kMostLength = 1e50;
 
 /// Throws InputError where the shape has no vertices, a coordinate is NaN or infinite (naming the
-/// vertex), its extent is neither 0 nor in the range above, a face names a vertex that does not exist, or N is neither empty nor 3×#V.
-/// `name` is what the message calls the shape, usually its path.
+/// vertex), its extent is neither 0 nor in the range above, a face names a vertex that does not
+/// exist, or N is neither empty nor 3×#V. `name` is what the message calls the shape, usually its
+/// path.
 void check(const Shape& shape, const std::string& name);
 
 /// The faces cut into triangles, as fans around each face's first corner: 3×#T vertex indices.

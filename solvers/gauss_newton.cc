@@ -21,63 +21,38 @@ constexpr double kRounding = 1e-13;        // of 1 + F, as in Eq. 12: less is no
 
 GaussNewton::GaussNewton(const SolverOptions& options)
     : options_(options),
-      linear_(make_linear_solver(options.linear_solver == "auto" ? "cholmod"
-                                                                 : options.linear_solver)) {}
+      steps_(
+          make_step_solver(options.linear_solver == "auto" ? "cholmod" : options.linear_solver)) {}
 
 void GaussNewton::compile(const Stage& stage) {
-  equations_ = std::make_unique<NormalEquations>(stage);
+  steps_->compile(stage);
   trial_ = stage.x;
-  const int n = equations_->unknowns();
-  delta_.resize(n);
-  D_.resize(n);
-  if (n == 0) return;
-  equations_->reorder(linear_->order(equations_->H(), stage.x.dimension()));
-  linear_->analyze(equations_->H());
-  damped_ = equations_->H();
-  diagonal_.resize(n);
-  for (int c = 0; c < n; ++c) diagonal_[c] = damped_.outerIndexPtr()[c];  // lower: first in column
-}
-
-bool GaussNewton::factorize(double damping, const Eigen::VectorXd& D) {
-  Stopwatch watch(summary_.seconds["factorize"]);
-  ++summary_.factorizations;
-  if (damping == 0) return linear_->factorize(equations_->H());
-  const SparseMatrix& H = equations_->H();
-  std::copy_n(H.valuePtr(), H.nonZeros(), damped_.valuePtr());
-  for (int i = 0; i < D.size(); ++i) damped_.valuePtr()[diagonal_[i]] += damping * D[i];
-  return linear_->factorize(damped_);
-}
-
-void GaussNewton::solve_for_delta() {
-  Stopwatch watch(summary_.seconds["solve"]);
-  linear_->solve(equations_->Jtr(), delta_);
-  delta_ = -delta_;
+  delta_.resize(steps_->linearization().unknowns());
+  D_.resize(delta_.size());
 }
 
 // δ of Eq. 11. Where JᵀJ is singular (a motion that no term sees) the least damping that makes it
 // regular picks the shortest of all solutions.
 bool GaussNewton::newton_direction() {
-  bool regular = factorize(0, D_);
+  bool regular = steps_->direction(0, D_, delta_);
   if (!regular) {
-    double largest = 0;
-    for (const int at : diagonal_) largest = std::max(largest, equations_->H().valuePtr()[at]);
+    steps_->diagonal(D_);
+    const double largest = D_.maxCoeff();
     D_.setConstant(largest > 0 ? largest : 1);
     for (double damping = kRegularization; !regular && damping < 1; damping *= 100) {
-      regular = factorize(damping, D_);
+      regular = steps_->direction(damping, D_, delta_);
     }
     if (summary_.notes.empty()) {
       summary_.notes.push_back("JᵀJ is singular: some motion changes no term; damped");
     }
   }
-  if (!regular) return false;
-  solve_for_delta();
-  return delta_.allFinite();
+  return regular;
 }
 
 double GaussNewton::try_step(const Stage& stage, double scale) {
   Stopwatch watch(summary_.seconds["evaluate"]);
-  equations_->step(stage.x, delta_, scale, trial_);
-  return equations_->evaluate(trial_);
+  steps_->linearization().step(stage.x, delta_, scale, trial_);
+  return steps_->linearization().evaluate(trial_);
 }
 
 GaussNewton::Outcome GaussNewton::full_step(Stage& stage, Iteration& iteration) {
@@ -88,7 +63,7 @@ GaussNewton::Outcome GaussNewton::full_step(Stage& stage, Iteration& iteration) 
 
 GaussNewton::Outcome GaussNewton::line_search(Stage& stage, Iteration& iteration) {
   if (!newton_direction()) return Outcome::kSingular;
-  const double slope = 2 * equations_->Jtr().dot(delta_);
+  const double slope = 2 * steps_->linearization().Jtr().dot(delta_);
   for (double scale = 1; scale >= kSmallestStep; scale /= 2) {
     iteration.cost = try_step(stage, scale);
     iteration.step_scale = scale;
@@ -100,17 +75,16 @@ GaussNewton::Outcome GaussNewton::line_search(Stage& stage, Iteration& iteration
 
 // Nielsen's rule: λ follows the ratio of what F fell to what the linear model promised.
 GaussNewton::Outcome GaussNewton::levenberg(Stage& stage, Iteration& iteration) {
-  for (int i = 0; i < D_.size(); ++i) {
-    D_[i] = std::clamp(equations_->H().valuePtr()[diagonal_[i]], 1e-6, 1e32);
-  }
+  steps_->diagonal(D_);
+  D_ = D_.cwiseMax(1e-6).cwiseMin(1e32);
   while (damping_ < kMostDamping) {
     iteration.damping = damping_;
     double promised = 0;
     iteration.cost = std::numeric_limits<double>::infinity();
-    if (factorize(damping_, D_)) {
-      solve_for_delta();
+    if (steps_->direction(damping_, D_, delta_)) {
       iteration.cost = try_step(stage, 1);
-      promised = damping_ * delta_.dot(D_.cwiseProduct(delta_)) - delta_.dot(equations_->Jtr());
+      promised = damping_ * delta_.dot(D_.cwiseProduct(delta_)) -
+                 delta_.dot(steps_->linearization().Jtr());
     }
     const double fell = cost_ - iteration.cost;
     if (fell >= -kRounding * (1 + cost_)) {
@@ -134,28 +108,35 @@ GaussNewton::Outcome GaussNewton::advance(Stage& stage, Iteration& iteration) {
 
 void GaussNewton::start(Stage& stage) {
   summary_ = {};
-  for (const char* phase : {"evaluate", "linearize", "factorize", "solve"}) {
+  steps_->work = {};
+  for (const char* phase : {"evaluate", "linearize"}) {
     summary_.seconds[phase] = 0;  // exists before it is timed: no allocation in an iteration
   }
   summary_.iterations.reserve(std::min(options_.max_iterations, 1000));
   damping_ = kFirstDamping;
   damping_growth_ = 2;
   trial_.X = stage.x.X;  // brings the fixed nodes along
-  cost_ = summary_.initial_cost = equations_->evaluate(stage.x);
-  if (std::isfinite(cost_)) equations_->linearize(stage.x);
+  cost_ = summary_.initial_cost = steps_->linearization().evaluate(stage.x);
+  if (std::isfinite(cost_)) steps_->linearization().linearize(stage.x);
 }
 
 Summary GaussNewton::finish(const Stage& stage, Status status, std::string message) {
   summary_.status = status;
   summary_.message = std::move(message);
-  summary_.final_cost = equations_->evaluate(stage.x);
-  const std::vector<double> costs = equations_->cost_by_term();
+  summary_.final_cost = steps_->linearization().evaluate(stage.x);
+  const std::vector<double> costs = steps_->linearization().cost_by_term();
   for (std::size_t i = 0; i < costs.size(); ++i) {
     summary_.cost_by_term[std::string(stage.terms[i].energy->name())] = costs[i];
   }
-  summary_.unknowns = equations_->unknowns();
-  summary_.nonzeros_JtJ = equations_->H().nonZeros();
-  summary_.nonzeros_factor = summary_.unknowns > 0 ? linear_->nonzeros() : 0;
+  summary_.unknowns = steps_->linearization().unknowns();
+  if (summary_.unknowns > 0) {
+    summary_.nonzeros_JtJ = steps_->nonzeros_JtJ();
+    summary_.nonzeros_factor = steps_->nonzeros_factor();
+  }
+  summary_.factorizations = steps_->work.factorizations;
+  summary_.cg_iterations = steps_->work.cg_iterations;
+  summary_.seconds["factorize"] = steps_->work.factorize_seconds;
+  summary_.seconds["solve"] = steps_->work.solve_seconds;
   summary_.method = "gauss_newton";
   summary_.linear_solver = options_.linear_solver == "auto" ? "cholmod" : options_.linear_solver;
   summary_.globalization = options_.globalization;
@@ -165,7 +146,7 @@ Summary GaussNewton::finish(const Stage& stage, Status status, std::string messa
 
 std::pair<Status, std::string> GaussNewton::iterate(Stage& stage) {
   if (!std::isfinite(cost_)) return {Status::kFailed, "F is not finite at the start"};
-  if (equations_->unknowns() == 0) return {Status::kConverged, "every node is fixed"};
+  if (steps_->linearization().unknowns() == 0) return {Status::kConverged, "every node is fixed"};
   for (int i = 0; i < options_.max_iterations; ++i) {
     Iteration iteration;
     Stopwatch watch(iteration.seconds);
@@ -182,9 +163,9 @@ std::pair<Status, std::string> GaussNewton::iterate(Stage& stage) {
     std::swap(stage.x.X, trial_.X);
     {
       Stopwatch linearize_watch(summary_.seconds["linearize"]);
-      equations_->linearize(stage.x);
+      steps_->linearization().linearize(stage.x);
     }
-    iteration.gradient_max = 2 * equations_->Jtr().lpNorm<Eigen::Infinity>();
+    iteration.gradient_max = 2 * steps_->linearization().Jtr().lpNorm<Eigen::Infinity>();
     iteration.step_max = iteration.step_scale * delta_.lpNorm<Eigen::Infinity>();
     iteration.seconds = watch.elapsed();
     summary_.iterations.push_back(iteration);

@@ -5,9 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/linear_solver.h"
-#include "solvers/normal_equations.h"
 #include "solvers/solver.h"
+#include "solvers/step_solver.h"
 
 namespace deformlab {
 
@@ -27,18 +26,13 @@ class GaussNewton final : public Solver {
   Outcome line_search(Stage& stage, Iteration& iteration);
   Outcome levenberg(Stage& stage, Iteration& iteration);
   bool newton_direction();
-  void solve_for_delta();
-  bool factorize(double damping, const Eigen::VectorXd& diagonal);
   double try_step(const Stage& stage, double scale);
   void start(Stage& stage);
   std::pair<Status, std::string> iterate(Stage& stage);
   Summary finish(const Stage& stage, Status status, std::string message);
 
   SolverOptions options_;
-  std::unique_ptr<LinearSolver> linear_;
-  std::unique_ptr<NormalEquations> equations_;
-  SparseMatrix damped_;        // H + λ D
-  std::vector<int> diagonal_;  // places of its diagonal
+  std::unique_ptr<StepSolver> steps_;
   Eigen::VectorXd delta_, D_;
   Unknowns trial_;
   double cost_ = 0, damping_ = 0, damping_growth_ = 2;

@@ -36,8 +36,9 @@ class EigenLdlt final : public LinearSolver {
 std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name) {
   if (name == "cholmod") return std::make_unique<CholmodSolver>();
   if (name == "eigen_ldlt") return std::make_unique<EigenLdlt>();
-  throw InputError("solver.linear_solver '" + name +
-                   "' is not one of gauss_newton's; known: auto, cholmod, eigen_ldlt");
+  throw InputError(
+      "solver.linear_solver '" + name +
+      "' is not one of gauss_newton's; known: auto, cholmod, eigen_ldlt, separable_cg");
 }
 
 }  // namespace deformlab

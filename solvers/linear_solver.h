@@ -1,12 +1,11 @@
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <memory>
 #include <string>
 
-namespace deformlab {
+#include "solvers/linearization.h"
 
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+namespace deformlab {
 
 /// A direct solver for H δ = b with symmetric positive definite H, given by its lower triangle.
 /// Order and structure are found once, the numbers change with every factorization.

@@ -39,6 +39,7 @@ struct Summary {
   long nonzeros_JtJ = 0;     ///< in the lower triangle
   long nonzeros_factor = 0;  ///< in L; 0 where the solver does not tell
   int factorizations = 0;
+  int cg_iterations = 0;                  ///< of all steps, where the linear solver is iterative
   std::map<std::string, double> seconds;  ///< by phase: evaluate, factorize, solve, …, total
 
   std::string method, linear_solver, globalization;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "solvers/ceres_solver.h"
+#include "solvers/linear_solver.h"
 #include "solvers/normal_equations.h"
 #include "tests/support/stages.h"
 

@@ -1,0 +1,46 @@
+#include "solvers/direct_steps.h"
+
+#include <algorithm>
+
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+
+void DirectSteps::compile(const Stage& stage) {
+  equations_ = std::make_unique<NormalEquations>(stage);
+  const int n = equations_->unknowns();
+  if (n == 0) return;
+  equations_->reorder(solver_->order(equations_->H(), stage.x.dimension()));
+  solver_->analyze(equations_->H());
+  damped_ = equations_->H();
+  diagonal_.resize(n);
+  for (int c = 0; c < n; ++c) diagonal_[c] = damped_.outerIndexPtr()[c];  // lower: first in column
+}
+
+bool DirectSteps::factorize(double damping, const Eigen::VectorXd& D) {
+  Stopwatch watch(work.factorize_seconds);
+  ++work.factorizations;
+  const SparseMatrix& H = equations_->H();
+  if (damping == 0) return solver_->factorize(H);
+  std::copy_n(H.valuePtr(), H.nonZeros(), damped_.valuePtr());
+  for (Eigen::Index i = 0; i < D.size(); ++i) damped_.valuePtr()[diagonal_[i]] += damping * D[i];
+  return solver_->factorize(damped_);
+}
+
+bool DirectSteps::direction(double damping, const Eigen::VectorXd& D, Eigen::VectorXd& delta) {
+  if (!factorize(damping, D)) return false;
+  Stopwatch watch(work.solve_seconds);
+  solver_->solve(equations_->Jtr(), delta);
+  delta = -delta;
+  return delta.allFinite();
+}
+
+void DirectSteps::diagonal(Eigen::VectorXd& D) const {
+  for (Eigen::Index i = 0; i < D.size(); ++i) D[i] = equations_->H().valuePtr()[diagonal_[i]];
+}
+
+long DirectSteps::nonzeros_factor() const {
+  return equations_->unknowns() > 0 ? solver_->nonzeros() : 0;
+}
+
+}  // namespace deformlab

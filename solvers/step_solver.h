@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "solvers/linearization.h"
+#include "solvers/options.h"
+
+namespace deformlab {
+
+/// What the linear algebra of a solve cost.
+struct LinearWork {
+  int factorizations = 0;
+  int cg_iterations = 0;
+  double factorize_seconds = 0;
+  double solve_seconds = 0;
+};
+
+/// Computes Gauss–Newton directions of a stage, (JᵀJ + λ diag(D)) δ = −Jᵀr.
+class StepSolver {
+ public:
+  virtual ~StepSolver() = default;
+
+  /// What depends on the structure of the stage alone. Called before anything else.
+  virtual void compile(const Stage& stage) = 0;
+  /// The linearization that directions are computed from; the caller evaluates and linearizes it.
+  virtual Linearization& linearization() = 0;
+  /// δ at what was linearized last. False where the matrix is singular in double precision.
+  ///   D  n, used where damping > 0.
+  virtual bool direction(double damping, const Eigen::VectorXd& D, Eigen::VectorXd& delta) = 0;
+  /// The diagonal of JᵀJ.
+  virtual void diagonal(Eigen::VectorXd& D) const = 0;
+  /// Nonzeros of JᵀJ's lower triangle as it is kept, and of the factor.
+  virtual long nonzeros_JtJ() const = 0;
+  virtual long nonzeros_factor() const = 0;
+
+  LinearWork work;
+};
+
+/// name: "cholmod", "eigen_ldlt" or "separable_cg". Throws InputError for another.
+std::unique_ptr<StepSolver> make_step_solver(const std::string& name);
+
+}  // namespace deformlab
