@@ -13,6 +13,9 @@ if(DEFORMLAB_SANITIZE)
   # The instrumented code of Eigen and CGAL looks uninitialized to GCC; the plain build still warns.
   add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-omit-frame-pointer
                       -Wno-uninitialized -Wno-maybe-uninitialized)
+  # Under a sanitizer Eigen would place its arrays itself, and the packaged Ceres, built without,
+  # could not free them.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
   add_link_options(-fsanitize=${DEFORMLAB_SANITIZE})
 endif()
 

@@ -19,8 +19,8 @@ using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann:
 
 constexpr int kDensity = 30;  // dense points for each node that was asked for
 constexpr int kFewestDense = 10000;
-constexpr int kMostNodes = 20000;  // far beyond what solves in seconds
-constexpr int kMostPasses = 100;   // of the search for the radius
+constexpr int kMostNodes = 100000;  // far beyond what solves in seconds
+constexpr int kMostPasses = 100;    // of the search for the radius
 
 Eigen::VectorXd areas(const Shape& shape, const Eigen::Matrix3Xi& T) {
   Eigen::VectorXd result(T.cols());
