@@ -1,7 +1,6 @@
 #include "deformers/embedded_deformation.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "deformers/hold.h"
 #include "energies/catalog.h"
 #include "geometry/error.h"
 #include "geometry/sampling.h"
@@ -17,7 +17,6 @@
 namespace deformlab {
 namespace {
 
-constexpr int kMostNamed = 5;       // components in the notes; more are counted
 constexpr double kMostUnits = 1e9;  // of length_unit in a mean edge, and of mean edges in it
 
 double length_unit(const std::string& text, const DeformationGraph& graph) {
@@ -75,14 +74,6 @@ void check_disjoint(const Handles& handles) {
                         std::back_inserter(both));
   if (both.empty()) return;
   throw InputError("vertex " + std::to_string(both.front()) + " is both fixed and moved");
-}
-
-// 0, 1, 2, 3: all points in one place, on a line, in a plane, in space.
-int affine_rank(const Eigen::Matrix3Xd& points, double extent) {
-  const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
-  const Eigen::Matrix3d covariance = centred * centred.transpose() / points.cols();
-  const Eigen::Vector3d s = covariance.jacobiSvd().singularValues().cwiseSqrt();
-  return static_cast<int>((s.array() > 1e-6 * extent).count());
 }
 
 }  // namespace
@@ -156,84 +147,22 @@ void EmbeddedDeformation::fix_nodes(const Handles& handles) {
   }
 }
 
-// A component without a handle could float anywhere at no cost: it is held where it is. One with
-// too few handles still turns about them; that is solved, and said.
-void EmbeddedDeformation::hold_free_components() {
-  const std::vector<int> component = components(graph_);
-  const int count =
-      component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
-  std::vector<std::vector<Eigen::Index>> held_by(count);
-  std::vector<int> size(count, 0), first(count, -1);
-  std::vector<char> anchored(count, 0);
-  for (Eigen::Index l = 0; l < handles_.v.cols(); ++l) {
-    held_by[component[handles_.nodes(0, l)]].push_back(l);
-  }
-  for (int j = 0; j < stage_.x.nodes(); ++j) {
-    if (first[component[j]] < 0) first[component[j]] = j;
-    ++size[component[j]];
-    anchored[component[j]] |= stage_.fixed[j];
-  }
-  int lone = 0, held = 0;
-  for (int c = 0; c < count; ++c) {
-    if (anchored[c]) continue;
-    const std::string name = "component " + std::to_string(c) + " of the graph (" +
-                             std::to_string(size[c]) + " nodes, among them node " +
-                             std::to_string(first[c]) + ")";
-    if (!held_by[c].empty()) {
-      const Eigen::Matrix3Xd points = handles_.v(Eigen::all, held_by[c]);
-      const int rank = affine_rank(points, bounding_box_diagonal(rest_.V));
-      if (rank < 2) {
-        compilation_notes_.push_back(name + " is held " +
-                                     (rank == 0 ? "at one point" : "on one line") +
-                                     " only: it may turn about it freely");
-      }
-      continue;
-    }
-    for (int j = 0; j < stage_.x.nodes(); ++j) {
-      if (component[j] == c) stage_.fixed[j] = 1;
-    }
-    if (size[c] == 1) {
-      ++lone;
-    } else if (++held <= kMostNamed) {
-      compilation_notes_.push_back(name + " has no handle: it stays where it is");
-    }
-  }
-  if (held > kMostNamed) {
-    compilation_notes_.push_back(std::to_string(held - kMostNamed) +
-                                 " more components have no handle: they stay where they are");
-  }
-  if (lone > 0) {
-    compilation_notes_.push_back(std::to_string(lone) + " nodes have no neighbour and no handle: " +
-                                 "they stay where they are");
-  }
-}
-
-void EmbeddedDeformation::note_immovable_handles() {
-  int immovable = 0;
-  for (Eigen::Index l = 0; l < handles_.v.cols(); ++l) {
-    bool free = false;
-    for (const int j : handles_.nodes.col(l)) free = free || !stage_.fixed[j];
-    immovable += !free;
-  }
-  if (immovable > 0) {
-    compilation_notes_.push_back(std::to_string(immovable) +
-                                 " handles follow fixed nodes only and " +
-                                 "cannot move: fix fewer vertices or use more nodes");
-  }
-}
-
 void EmbeddedDeformation::compile(const Handles& handles) {
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
   check_vertices(handles.fixed, rest_.V.cols());
   check_vertices(handles.moved, rest_.V.cols());
   check_disjoint(handles);
-  compilation_notes_.clear();
   fixed_ = handles.fixed;
   handles_ = subset(embedding_, handles.moved);
   fix_nodes(handles);
-  hold_free_components();
-  note_immovable_handles();
+  compilation_notes_ =
+      hold_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), stage_.fixed);
+  if (const int immovable = count_immovable(handles_, stage_.fixed); immovable > 0) {
+    compilation_notes_.push_back(
+        "handles that follow fixed nodes only and so cannot move: " + std::to_string(immovable) +
+        "; fix fewer vertices or use more nodes");
+  }
 
   const DeformationGraph graph = scaled(graph_, 1 / unit_);
   const Embedding embedded = scaled(handles_, 1 / unit_);
@@ -292,8 +221,8 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   }
   if (report.inside_out > 0) {
     report.notes.push_back(
-        "space is turned inside out at " + std::to_string(report.inside_out) +
-        " nodes (det R < 0), which E_rot cannot see: move the handles less, or in smaller steps");
+        "nodes where space is turned inside out (det R < 0), which E_rot cannot see: " +
+        std::to_string(report.inside_out) + "; move the handles less, or in smaller steps");
   }
   return report;
 }

@@ -52,8 +52,6 @@ class EmbeddedDeformation final : public Deformer {
  private:
   void register_shape(const Eigen::Matrix3Xd& nodes);
   void fix_nodes(const Handles& handles);
-  void hold_free_components();
-  void note_immovable_handles();
   void measure_determinants(const Transformations& X, Report& report) const;
   void measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const;
 

@@ -1,0 +1,105 @@
+#include "deformers/hold.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+namespace deformlab {
+namespace {
+
+constexpr int kMostNamed = 5;        // components in the notes; more are counted
+constexpr double kSamePlace = 1e-6;  // of the shape's extent
+
+struct Component {
+  std::vector<int> nodes;
+  std::vector<Eigen::Index> handles;
+  bool anchored = false;  // by a fixed node
+};
+
+std::vector<Component> find_components(const DeformationGraph& graph, const Embedding& handles,
+                                       const std::vector<char>& fixed) {
+  std::vector<Component> result;
+  const std::vector<int> component = components(graph);
+  for (std::size_t j = 0; j < component.size(); ++j) {
+    result.resize(std::max<std::size_t>(result.size(), component[j] + 1));
+    result[component[j]].nodes.push_back(static_cast<int>(j));
+    result[component[j]].anchored |= fixed[j] != 0;
+  }
+  // The nodes that a handle follows all influence one vertex, so they are connected.
+  for (Eigen::Index l = 0; l < handles.v.cols(); ++l) {
+    result[component[handles.nodes(0, l)]].handles.push_back(l);
+  }
+  return result;
+}
+
+// 0, 1, 2, 3: all points in one place, on a line, in a plane, in space.
+int affine_rank(const Eigen::Matrix3Xd& points, double extent) {
+  const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
+  const Eigen::Matrix3d covariance = centred * centred.transpose() / points.cols();
+  const Eigen::Vector3d s = covariance.jacobiSvd().singularValues().cwiseSqrt();
+  return static_cast<int>((s.array() > kSamePlace * extent).count());
+}
+
+std::string name(const Component& component) {
+  return "a component of the graph (" + std::to_string(component.nodes.size()) +
+         " nodes, the first is node " + std::to_string(component.nodes.front()) + ")";
+}
+
+std::vector<std::string> notes_on_free(const std::vector<Component>& free) {
+  std::vector<std::string> notes;
+  int lone = 0, unnamed = 0;
+  for (const Component& component : free) {
+    if (component.nodes.size() == 1) {
+      ++lone;
+    } else if (static_cast<int>(notes.size()) == kMostNamed) {
+      ++unnamed;
+    } else {
+      notes.push_back(name(component) + " has no handle: it stays where it is");
+    }
+  }
+  if (unnamed > 0) {
+    notes.push_back("components without a handle that stay where they are, besides these: " +
+                    std::to_string(unnamed));
+  }
+  if (lone > 0) {
+    notes.push_back("nodes without neighbour and handle, which stay where they are: " +
+                    std::to_string(lone));
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> hold_free_components(const DeformationGraph& graph,
+                                              const Embedding& handles, double extent,
+                                              std::vector<char>& fixed) {
+  std::vector<Component> free;
+  std::vector<std::string> notes;
+  for (const Component& component : find_components(graph, handles, fixed)) {
+    if (component.anchored) continue;
+    if (component.handles.empty()) {
+      free.push_back(component);
+      continue;
+    }
+    const int rank = affine_rank(handles.v(Eigen::all, component.handles), extent);
+    if (rank < 2) {
+      notes.push_back(name(component) + " is held " + (rank == 0 ? "at one point" : "on one line") +
+                      " only: it may turn about it freely");
+    }
+  }
+  for (const Component& component : free) {
+    for (const int j : component.nodes) fixed[j] = 1;
+  }
+  const std::vector<std::string> more = notes_on_free(free);
+  notes.insert(notes.end(), more.begin(), more.end());
+  return notes;
+}
+
+int count_immovable(const Embedding& handles, const std::vector<char>& fixed) {
+  int count = 0;
+  for (const auto nodes : handles.nodes.colwise()) {
+    count += std::all_of(nodes.begin(), nodes.end(), [&](int j) { return fixed[j] != 0; });
+  }
+  return count;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/deformation_graph.h"
+#include "geometry/embedding.h"
+
+namespace deformlab {
+
+/// A component of the graph without a handle could float anywhere at no cost: its nodes are marked
+/// in `fixed` (one entry a node), so that it stays where it is. One with too few handles may still
+/// turn about them, which the solvers can take.
+///   handles  the moved vertices; extent  the size of the shape, both [length].
+/// Returns what a user should know of it, a sentence each.
+std::vector<std::string> hold_free_components(const DeformationGraph& graph,
+                                              const Embedding& handles, double extent,
+                                              std::vector<char>& fixed);
+
+/// How many of the handles follow fixed nodes only, and so cannot move.
+int count_immovable(const Embedding& handles, const std::vector<char>& fixed);
+
+}  // namespace deformlab
