@@ -21,14 +21,16 @@ class EigenLdlt final : public LinearSolver {
   bool factorize(const SparseMatrix& lower) override {
     ldlt_.factorize(lower);
     if (ldlt_.info() != Eigen::Success) return false;
+    nonzeros_ = ldlt_.matrixL().nestedExpression().nonZeros();
     const auto D = ldlt_.vectorD();
     return D.minCoeff() > kSingularRatio * D.maxCoeff();
   }
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override { delta = ldlt_.solve(b); }
-  long nonzeros() const override { return ldlt_.matrixL().nestedExpression().nonZeros(); }
+  long nonzeros() const override { return nonzeros_; }
 
  private:
   Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt_;
+  long nonzeros_ = 0;  // which Eigen does not tell before the first factorization
 };
 
 }  // namespace
