@@ -40,14 +40,19 @@ void* suitesparse_realloc(void* p, size_t size) {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 // A sanitizer owns malloc: here operator new has to do, and Eigen's calls go uncounted.
+void* operator new(size_t size, const std::nothrow_t&) noexcept {
+  count();
+  return std::malloc(size);
+}
 void* operator new(size_t size) {
   count();
   void* p = std::malloc(size);
   if (p == nullptr) throw std::bad_alloc();
   return p;
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, size_t) noexcept { std::free(p); }
+// Inlined, they would look to GCC like a free of what new gave.
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, size_t) noexcept { std::free(p); }
 #else
 // glibc's malloc, counted.
 extern "C" {
