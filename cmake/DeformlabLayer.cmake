@@ -8,7 +8,8 @@ target_compile_options(deformlab_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of "a" + std::string (its bug 105651)
   # … and takes Eigen's and std::string's members for uninitialized, once inlined; Clang does not.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
-  $<$<BOOL:${DEFORMLAB_NATIVE}>:-march=native>)
+  # Eigen's alignment stays what the packaged Ceres was built with: each frees the other's arrays.
+  $<$<BOOL:${DEFORMLAB_NATIVE}>:-march=native -DEIGEN_MAX_ALIGN_BYTES=16>)
 if(DEFORMLAB_SANITIZE)
   # The instrumented code of Eigen and CGAL looks uninitialized to GCC; the plain build still warns.
   add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-omit-frame-pointer

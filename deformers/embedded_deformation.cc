@@ -156,8 +156,10 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   fixed_ = handles.fixed;
   handles_ = subset(embedding_, handles.moved);
   fix_nodes(handles);
-  compilation_notes_ =
+  Holds holds =
       hold_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), stage_.fixed);
+  at_one_point_ = std::move(holds.at_one_point);
+  compilation_notes_ = std::move(holds.notes);
   if (const int immovable = count_immovable(handles_, stage_.fixed); immovable > 0) {
     compilation_notes_.push_back(
         "handles that follow fixed nodes only and so cannot move: " + std::to_string(immovable) +
@@ -173,6 +175,17 @@ void EmbeddedDeformation::compile(const Handles& handles) {
     if (weight > 0) stage_.terms.push_back({make_energy(info.name, graph, embedded), weight});
   }
   solver_->compile(stage_);
+}
+
+// A part held at one point may turn about it at no cost. It starts where its handle takes it
+// without turning, which is then a minimum: one handle is a translation.
+void EmbeddedDeformation::carry_along(const Eigen::Matrix3Xd& targets) {
+  if (at_one_point_.empty()) return;
+  const Eigen::Matrix3Xd reached = transfer_positions(transformations(), graph_.g, handles_);
+  for (const PointHeld& part : at_one_point_) {
+    const Eigen::Matrix3Xd motion = (targets - reached)(Eigen::all, part.handles);
+    for (const int j : part.nodes) stage_.x.X.col(4 * j + 3) += motion.rowwise().mean() / unit_;
+  }
 }
 
 void EmbeddedDeformation::measure_determinants(const Transformations& X, Report& report) const {
@@ -200,6 +213,7 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   if (!targets.allFinite()) throw InputError("a handle's target is not finite");
   Report report;
   for (const auto& term : stage_.terms) term.energy->aim(targets / unit_);
+  carry_along(targets);
   report.solve = solver_->solve(stage_);
   const Transformations X = transformations();
   {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "deformers/deformer.h"
+#include "deformers/hold.h"
 #include "geometry/deformation_graph.h"
 #include "geometry/transfer.h"
 #include "solvers/solver.h"
@@ -52,6 +53,7 @@ class EmbeddedDeformation final : public Deformer {
  private:
   void register_shape(const Eigen::Matrix3Xd& nodes);
   void fix_nodes(const Handles& handles);
+  void carry_along(const Eigen::Matrix3Xd& targets);
   void measure_determinants(const Transformations& X, Report& report) const;
   void measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const;
 
@@ -62,6 +64,7 @@ class EmbeddedDeformation final : public Deformer {
   DeformationGraph graph_;
   double unit_ = 1;
   Stage stage_;
+  std::vector<PointHeld> at_one_point_;
   std::unique_ptr<Solver> solver_;
   std::map<std::string, double> seconds_;
   std::vector<std::string> registration_notes_, compilation_notes_;

@@ -11,7 +11,7 @@ constexpr double kSamePlace = 1e-6;  // of the shape's extent
 
 struct Component {
   std::vector<int> nodes;
-  std::vector<Eigen::Index> handles;
+  std::vector<int> handles;
   bool anchored = false;  // by a fixed node
 };
 
@@ -26,7 +26,7 @@ std::vector<Component> find_components(const DeformationGraph& graph, const Embe
   }
   // The nodes that a handle follows all influence one vertex, so they are connected.
   for (Eigen::Index l = 0; l < handles.v.cols(); ++l) {
-    result[component[handles.nodes(0, l)]].handles.push_back(l);
+    result[component[handles.nodes(0, l)]].handles.push_back(static_cast<int>(l));
   }
   return result;
 }
@@ -69,11 +69,10 @@ std::vector<std::string> notes_on_free(const std::vector<Component>& free) {
 
 }  // namespace
 
-std::vector<std::string> hold_free_components(const DeformationGraph& graph,
-                                              const Embedding& handles, double extent,
-                                              std::vector<char>& fixed) {
+Holds hold_free_components(const DeformationGraph& graph, const Embedding& handles, double extent,
+                           std::vector<char>& fixed) {
   std::vector<Component> free;
-  std::vector<std::string> notes;
+  Holds holds;
   for (const Component& component : find_components(graph, handles, fixed)) {
     if (component.anchored) continue;
     if (component.handles.empty()) {
@@ -81,17 +80,19 @@ std::vector<std::string> hold_free_components(const DeformationGraph& graph,
       continue;
     }
     const int rank = affine_rank(handles.v(Eigen::all, component.handles), extent);
+    if (rank == 0) holds.at_one_point.push_back({component.nodes, component.handles});
     if (rank < 2) {
-      notes.push_back(name(component) + " is held " + (rank == 0 ? "at one point" : "on one line") +
-                      " only: it may turn about it freely");
+      holds.notes.push_back(name(component) + " is held " +
+                            (rank == 0 ? "at one point" : "on one line") +
+                            " only: it may turn about it freely");
     }
   }
   for (const Component& component : free) {
     for (const int j : component.nodes) fixed[j] = 1;
   }
   const std::vector<std::string> more = notes_on_free(free);
-  notes.insert(notes.end(), more.begin(), more.end());
-  return notes;
+  holds.notes.insert(holds.notes.end(), more.begin(), more.end());
+  return holds;
 }
 
 int count_immovable(const Embedding& handles, const std::vector<char>& fixed) {

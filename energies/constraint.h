@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 
 #include "energies/term.h"
@@ -25,6 +26,17 @@ struct Constraint {
       r += w[j] * (nodes[j].R * (v - g[j]) + g[j] + nodes[j].t);
     }
     return r;
+  }
+
+  /// ∂r/∂X = Σ_j w_j (v − g_j, 1)ᵀ ⊗ I₃, 3×12k.
+  Eigen::Matrix3Xd jacobian(std::span<const Affine<double>> nodes) const {
+    Eigen::Matrix3Xd J(3, 12 * nodes.size());
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const Eigen::Vector4d a = w[j] * (v - g[j]).homogeneous();
+      for (int c = 0; c < 4; ++c)
+        J.middleCols<3>(12 * j + 3 * c) = a[c] * Eigen::Matrix3d::Identity();
+    }
+    return J;
   }
 
   void aim(const Eigen::Matrix3Xd& targets) { q = targets.col(index); }

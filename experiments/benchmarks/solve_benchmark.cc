@@ -7,9 +7,10 @@
 namespace deformlab {
 namespace {
 
-SolverOptions by(const char* method) {
+SolverOptions by(const char* method, const char* linear_solver) {
   SolverOptions options;
   options.method = method;
+  options.linear_solver = linear_solver;
   return options;
 }
 
@@ -21,8 +22,9 @@ void describe(benchmark::State& state, const Summary& solve) {
 }
 
 // The mean of one solve's steps; Ceres' preprocessing, our compilation, is left out.
-void step(benchmark::State& state, const char* method) {
-  auto deformation = reference_deformation(static_cast<int>(state.range(0)), by(method));
+void step(benchmark::State& state, const char* method, const char* linear_solver) {
+  auto deformation =
+      reference_deformation(static_cast<int>(state.range(0)), by(method, linear_solver));
   deformation.compile(reference_scene().handles);
   Summary solve;
   for (auto _ : state) {
@@ -35,8 +37,9 @@ void step(benchmark::State& state, const char* method) {
 }
 
 // Compilation and all steps, from rest.
-void whole_solve(benchmark::State& state, const char* method) {
-  auto deformation = reference_deformation(static_cast<int>(state.range(0)), by(method));
+void whole_solve(benchmark::State& state, const char* method, const char* linear_solver) {
+  auto deformation =
+      reference_deformation(static_cast<int>(state.range(0)), by(method, linear_solver));
   Summary solve;
   for (auto _ : state) {
     deformation.reset();
@@ -57,10 +60,12 @@ void sizes(benchmark::internal::Benchmark* b) {
   b->MinTime(0.05);  // of manual time: a step is a small part of what it takes to measure it
 }
 
-BENCHMARK_CAPTURE(step, gauss_newton, "gauss_newton")->Apply(sizes);
-BENCHMARK_CAPTURE(step, ceres, "ceres")->Apply(sizes);
-BENCHMARK_CAPTURE(whole_solve, gauss_newton, "gauss_newton")->Apply(sizes);
-BENCHMARK_CAPTURE(whole_solve, ceres, "ceres")->Apply(sizes);
+BENCHMARK_CAPTURE(step, gauss_newton, "gauss_newton", "cholmod")->Apply(sizes);
+BENCHMARK_CAPTURE(step, separable_cg, "gauss_newton", "separable_cg")->Apply(sizes);
+BENCHMARK_CAPTURE(step, ceres, "ceres", "auto")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, gauss_newton, "gauss_newton", "cholmod")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, separable_cg, "gauss_newton", "separable_cg")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, ceres, "ceres", "auto")->Apply(sizes);
 
 }  // namespace
 }  // namespace deformlab

@@ -215,8 +215,7 @@ TEST(EmbeddedDeformation, WithoutAnyHandleNothingMoves) {
   EXPECT_LT(difference(deformer.deformed().V, shape.V), 1e-15);
 }
 
-// How the shape turns about its only handle is free; that it stays rigid is not.
-TEST(EmbeddedDeformation, ASingleHandleMovesTheShapeRigidly) {
+TEST(EmbeddedDeformation, ASingleHandleTranslatesTheShape) {
   const Shape shape = bumpy_plane(15);
   const Eigen::Vector3d target = shape.V.col(112) + Eigen::Vector3d(0.3, -0.2, 1);
   for (const char* method : {"gauss_newton", "ceres"}) {
@@ -229,11 +228,9 @@ TEST(EmbeddedDeformation, ASingleHandleMovesTheShapeRigidly) {
     EXPECT_THAT(report.notes, Contains(HasSubstr("is held at one point only")));
     const Eigen::Matrix3Xd& V = deformer.deformed().V;
     EXPECT_LT((V.col(112) - target).norm(), 1e-6) << method;
-    EXPECT_LT(difference((V.colwise() - target).colwise().norm(),
-                         (shape.V.colwise() - shape.V.col(112)).colwise().norm()),
-              1e-5)
+    EXPECT_LT(difference(V.colwise() - target, shape.V.colwise() - shape.V.col(112)), 1e-6)
         << method;
-    EXPECT_NEAR(report.min_det_R, 1, 1e-5) << method;
+    EXPECT_NEAR(report.min_det_R, 1, 1e-6) << method;
   }
 }
 
