@@ -5,28 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "solvers/cholmod_view.h"
 #include "solvers/one_thread.h"
 
 namespace deformlab {
 namespace {
-
-// CHOLMOD's view of Eigen's arrays: no copy.
-cholmod_sparse view(const SparseMatrix& lower) {
-  cholmod_sparse A{};
-  A.nrow = lower.rows();
-  A.ncol = lower.cols();
-  A.nzmax = lower.nonZeros();
-  A.p = const_cast<int*>(lower.outerIndexPtr());
-  A.i = const_cast<int*>(lower.innerIndexPtr());
-  A.x = const_cast<double*>(lower.valuePtr());
-  A.stype = -1;  // symmetric, lower triangle stored
-  A.itype = CHOLMOD_INT;
-  A.xtype = CHOLMOD_REAL;
-  A.dtype = CHOLMOD_DOUBLE;
-  A.sorted = 1;
-  A.packed = 1;
-  return A;
-}
 
 // The structure of groups of consecutive rows: an order of them takes a fraction of the time, and
 // fills no more where the rows of a group have almost the same neighbours.
@@ -80,7 +63,7 @@ void CholmodSolver::free_factor() { cholmod_free_factor(&L_, &common_); }
 
 Eigen::VectorXi CholmodSolver::order(const SparseMatrix& lower, int group) {
   const SparseMatrix groups = quotient(lower, group);
-  cholmod_sparse G = view(groups), A = view(lower);
+  cholmod_sparse G = cholmod_view(groups), A = cholmod_view(lower);
   common_.nmethods = 2;
   common_.method[0].ordering = CHOLMOD_METIS;
   common_.method[1].ordering = CHOLMOD_AMD;
@@ -101,7 +84,7 @@ Eigen::VectorXi CholmodSolver::analyzed(cholmod_factor* factor) {
 }
 
 void CholmodSolver::analyze(const SparseMatrix& lower) {
-  cholmod_sparse A = view(lower);
+  cholmod_sparse A = cholmod_view(lower);
   common_.nmethods = 1;
   common_.method[0].ordering = CHOLMOD_NATURAL;
   common_.postorder = 0;  // `order` has done it: then the matrix is used in place, without a copy
@@ -109,7 +92,7 @@ void CholmodSolver::analyze(const SparseMatrix& lower) {
 }
 
 bool CholmodSolver::factorize(const SparseMatrix& lower) {
-  cholmod_sparse A = view(lower);
+  cholmod_sparse A = cholmod_view(lower);
   const OneThread one_thread;
   cholmod_factorize(&A, L_, &common_);
   if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();

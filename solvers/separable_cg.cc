@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "solvers/cholmod_view.h"
 #include "solvers/linear_solver.h"
 #include "solvers/one_thread.h"
 #include "solvers/stopwatch.h"
@@ -15,23 +16,6 @@ namespace {
 constexpr double kForcing = 0.1;  // η: the share of ‖r‖_{M⁻¹} that an inexact step leaves
 constexpr int kMostIterations = 500;  // of one step
 constexpr double kRidge = 1e-10;      // relative, where Ã is singular
-
-cholmod_sparse view(const SparseMatrix& lower) {
-  cholmod_sparse A{};
-  A.nrow = lower.rows();
-  A.ncol = lower.cols();
-  A.nzmax = lower.nonZeros();
-  A.p = const_cast<int*>(lower.outerIndexPtr());
-  A.i = const_cast<int*>(lower.innerIndexPtr());
-  A.x = const_cast<double*>(lower.valuePtr());
-  A.stype = -1;
-  A.itype = CHOLMOD_INT;
-  A.xtype = CHOLMOD_REAL;
-  A.dtype = CHOLMOD_DOUBLE;
-  A.sorted = 1;
-  A.packed = 1;
-  return A;
-}
 
 SparseMatrix lower_matrix(std::size_t size, const std::vector<Eigen::Triplet<double>>& entries) {
   const auto n = static_cast<Eigen::Index>(size);
@@ -118,7 +102,7 @@ SparseMatrix SeparableCg::nearest_separable() const {
 // Factors Ã in a fill-reducing order, which the columns take over, so that nothing is permuted
 // later.
 void SeparableCg::factorize(const SparseMatrix& lower) {
-  cholmod_sparse A = view(lower);
+  cholmod_sparse A = cholmod_view(lower);
   common_.supernodal = CHOLMOD_SUPERNODAL;
   cholmod_free_factor(&L_, &common_);
   L_ = cholmod_analyze(&A, &common_);
