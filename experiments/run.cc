@@ -3,7 +3,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <optional>
+#include <cctype>
 
 #include "energies/catalog.h"
 #include "experiments/camera.h"
@@ -138,8 +138,9 @@ void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& optio
 std::string label(const MeasuredRun& run) {
   std::string text;
   for (const auto& [key, value] : run.settings) {
-    const std::string name = key.substr(key.rfind('.') + 1);
-    text += (text.empty() ? "" : ", ") + name + " " + value;
+    const bool word = !value.empty() && std::isalpha(static_cast<unsigned char>(value.front()));
+    const std::string name = word ? "" : key.substr(key.rfind('.') + 1) + " ";
+    text += (text.empty() ? "" : ", ") + name + value;
   }
   return text;
 }

@@ -44,8 +44,8 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
 /// Throws the InputError that run_experiment would throw for the config itself, before any work.
 void check_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides);
 
-/// `method ceres, nodes 425`, what a run sets by the last part of its keys; empty for a config
-/// without a sweep.
+/// `ceres, nodes 425`: what a run sets, numbers after the last part of their keys; empty for a
+/// config without a sweep.
 std::string label(const MeasuredRun& run);
 
 }  // namespace deformlab
