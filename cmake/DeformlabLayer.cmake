@@ -8,15 +8,11 @@ target_compile_options(deformlab_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of "a" + std::string (its bug 105651)
   # … and takes Eigen's and std::string's members for uninitialized, once inlined; Clang does not.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
-  # Eigen's alignment stays what the packaged Ceres was built with: each frees the other's arrays.
-  $<$<BOOL:${DEFORMLAB_NATIVE}>:-march=native -DEIGEN_MAX_ALIGN_BYTES=16>)
+  $<$<BOOL:${DEFORMLAB_NATIVE}>:-march=native>)
 if(DEFORMLAB_SANITIZE)
   # The instrumented code of Eigen and CGAL looks uninitialized to GCC; the plain build still warns.
   add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-omit-frame-pointer
                       -Wno-uninitialized -Wno-maybe-uninitialized)
-  # Under a sanitizer Eigen would place its arrays itself, and the packaged Ceres, built without,
-  # could not free them.
-  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
   add_link_options(-fsanitize=${DEFORMLAB_SANITIZE})
 endif()
 
@@ -32,6 +28,11 @@ function(deformlab_layer name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/deformlab>)
   target_compile_features(deformlab_${name} PUBLIC cxx_std_20)
+  # How Eigen allocates has to be the same in us, in the packaged Ceres and in who uses us, since each
+  # frees the others' arrays; a sanitizer and wider registers would change it.
+  target_compile_definitions(deformlab_${name} PUBLIC
+    $<$<BOOL:${DEFORMLAB_SANITIZE}>:EIGEN_MALLOC_ALREADY_ALIGNED=1>
+    $<$<BOOL:${DEFORMLAB_NATIVE}>:EIGEN_MAX_ALIGN_BYTES=16>)
   target_link_libraries(deformlab_${name} PUBLIC ${ARG_PUBLIC}
                         PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:deformlab_flags>)
   install(TARGETS deformlab_${name} EXPORT deformlabTargets

@@ -15,6 +15,9 @@ enum class Structure {
   kNonlinear,  ///< any r, linearized in each Gauss–Newton step
 };
 
+/// The most residuals that one element may have.
+inline constexpr int kMaxResiduals = 16;
+
 /// The columns of its node that an argument of a term reads: `count` of them, from the first.
 struct Argument {
   int count;

@@ -26,7 +26,8 @@ struct Affine {
 /// The elements of one term and the nodes that each of them reads: the Σ of the paper.
 ///
 /// A term is a struct of one element's data with a call operator, a template over the scalar, that
-/// returns the residual as a vector of fixed size. What the operator takes says what it reads:
+/// returns the residual as a vector of fixed size (kMaxResiduals at most). What the operator takes
+/// says what it reads:
 ///   const Affine<T>&                 all of a graph node
 ///   const Matrix3<T>&                its linear part R_j alone
 ///   const Vector<T, d>&              a vertex

@@ -62,22 +62,34 @@ void check_outputs(const std::string& shape, const DeformFlags& flags) {
   }
 }
 
-EmbeddedDeformationOptions read_options(const std::vector<std::string>& overrides, int nodes) {
+/// What key=value may set.
+struct DeformOptions {
+  EmbeddedDeformationOptions deformation;
+  PictureOptions picture;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    EmbeddedDeformationOptions::fields(o.deformation, visit);
+    visit("picture", o.picture, "how --picture is drawn");
+  }
+};
+
+DeformOptions read_options(const std::vector<std::string>& overrides, int nodes) {
   ConfigNode root;
   root.kind = ConfigNode::Kind::kMap;
   apply_override(root, {"graph.nodes", std::to_string(nodes), "."});
   for (const std::string& text : overrides) apply_override(root, parse_override(text));
-  auto options = read_config<EmbeddedDeformationOptions>(root);
-  complete_energies(root, options);
+  auto options = read_config<DeformOptions>(root);
+  complete_energies(root, options.deformation);
   return options;
 }
 
-void draw(const EmbeddedDeformation& deformer, const Shape& rest, const ResolvedEdit& edit,
-          const std::string& path) {
-  PictureBook pictures{PictureOptions{}};
+Image draw(const EmbeddedDeformation& deformer, const Shape& rest, const ResolvedEdit& edit,
+           const PictureOptions& options) {
+  PictureBook pictures{options};
   pictures.add_rest(deformer, rest, edit);
   pictures.add_deformed(deformer, edit, "deformed");
-  write_png(pictures.render(), path);
+  return pictures.render();
 }
 
 void print(const Report& report, const std::string& out) {
@@ -103,7 +115,7 @@ int deform_command(const std::vector<std::string>& arguments, const DeformFlags&
   const Shape rest = read_shape(arguments.front());
   const ResolvedEdit edit = resolve(entries, rest);
 
-  EmbeddedDeformation deformer(rest, options);
+  EmbeddedDeformation deformer(rest, options.deformation);
   deformer.compile(edit.handles);
   const Report report = deformer.update(edit.targets);
   for (const std::string& note : report.notes) LOG(WARNING) << note;
@@ -113,10 +125,11 @@ int deform_command(const std::vector<std::string>& arguments, const DeformFlags&
     return 1;
   }
   if (report.solve.status != Status::kConverged) LOG(WARNING) << report.solve.message;
-  if (!flags.picture.empty()) draw(deformer, rest, edit, flags.picture);
+  Image picture;  // drawn before the first file is written, as drawing may fail
+  if (!flags.picture.empty()) picture = draw(deformer, rest, edit, options.picture);
+  write_shape(flags.out, deformer.deformed(), arguments.front());  // first: it may be refused
   if (!flags.metrics.empty()) write_text(flags.metrics, to_json(report));
-  write_shape(flags.out, deformer.deformed(),
-              arguments.front());  // last: it may replace its source
+  if (!flags.picture.empty()) write_png(picture, flags.picture);
   print(report, flags.out);
   return 0;
 }

@@ -63,7 +63,8 @@ class ElementCost final : public ceres::CostFunction {
       nodes[a] = entries.data() + first;
     }
     const bool differentiate = jacobians != nullptr && constant_.size() == 0;
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows, kMaxWidth> J;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxResiduals, kMaxWidth>
+        J;
     if (differentiate) J.resize(energy_.rows(), energy_.jacobian_columns());
     energy_.evaluate(e_, nodes.data(), residuals, differentiate ? J.data() : nullptr);
     Eigen::Map<Eigen::VectorXd> r(residuals, energy_.rows());
@@ -74,7 +75,7 @@ class ElementCost final : public ceres::CostFunction {
   }
 
  private:
-  static constexpr int kMaxRows = 16, kMaxWidth = 256;
+  static constexpr int kMaxWidth = 256;
 
   int read(int a) const { return energy_.dimension() * energy_.argument(a).count; }
 

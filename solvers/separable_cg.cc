@@ -96,6 +96,7 @@ SparseMatrix SeparableCg::nearest_separable() const {
       }
     }
   }
+  for (int i = 0; i < static_cast<int>(column_of_.size()); ++i) entries.emplace_back(i, i, 0);
   return lower_matrix(column_of_.size(), entries);
 }
 
@@ -108,8 +109,9 @@ void SeparableCg::factorize(const SparseMatrix& lower) {
   L_ = cholmod_analyze(&A, &common_);
   if (L_ == nullptr) throw std::bad_alloc();
   double ridge[2] = {0, 0};
+  const double largest = lower.diagonal().maxCoeff();
   const OneThread one_thread;
-  for (double next = kRidge * lower.diagonal().maxCoeff(); next < 1e300; next *= 1000) {
+  for (double next = kRidge * (largest > 0 ? largest : 1); next < 1e300; next *= 1000) {
     cholmod_factorize_p(&A, ridge, nullptr, 0, L_, &common_);
     if (common_.status == CHOLMOD_OK && cholmod_rcond(L_, &common_) > kSingularRatio) break;
     ridge[0] = next;  // singular: some motion changes no term

@@ -33,8 +33,6 @@ class SeparableCg final : public StepSolver {
   // Coordinates beyond the d-th are zero: four at a time is what processors add best.
   using Block = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-  static constexpr int kMaxRows = 16;  // of an element
-
   using Triplets = std::vector<Eigen::Triplet<double>>;
 
   void number_columns();
@@ -56,7 +54,8 @@ class SeparableCg final : public StepSolver {
   cholmod_factor* L_ = nullptr;  // of Ã
   Block r_, z_, p_, Hp_, delta_, D_;
   std::vector<double> local_;  // an element's share of a block
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxRows, 1> local_t_{kMaxRows};
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxResiduals, 1> local_t_{
+      kMaxResiduals};
 };
 
 }  // namespace deformlab

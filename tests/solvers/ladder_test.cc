@@ -30,6 +30,11 @@ TEST_P(Ladder, Rung3CholmodAgreesWithEigen) {
                       gauss_newton("eigen_ldlt", "line_search", kTight));
 }
 
+TEST_P(Ladder, Rung3ConjugateGradientsAgreeWithCholmod) {
+  expect_same_minimum(stage_, gauss_newton("cholmod", "line_search", kTight),
+                      gauss_newton("separable_cg", "line_search", kTight));
+}
+
 INSTANTIATE_TEST_SUITE_P(Nodes, Ladder, ::testing::Values(20, 200, 1000));
 
 class DenseStep : public ::testing::TestWithParam<int> {};
