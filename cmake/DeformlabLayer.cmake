@@ -30,9 +30,12 @@ function(deformlab_layer name)
   target_compile_features(deformlab_${name} PUBLIC cxx_std_20)
   # How Eigen allocates has to be the same in us, in the packaged Ceres and in who uses us, since each
   # frees the others' arrays; a sanitizer and wider registers would change it.
-  target_compile_definitions(deformlab_${name} PUBLIC
-    $<$<BOOL:${DEFORMLAB_SANITIZE}>:EIGEN_MALLOC_ALREADY_ALIGNED=1>
-    $<$<BOOL:${DEFORMLAB_NATIVE}>:EIGEN_MAX_ALIGN_BYTES=16>)
+  if(DEFORMLAB_SANITIZE)
+    target_compile_definitions(deformlab_${name} PUBLIC EIGEN_MALLOC_ALREADY_ALIGNED=1)
+  endif()
+  if(DEFORMLAB_NATIVE)
+    target_compile_definitions(deformlab_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  endif()
   target_link_libraries(deformlab_${name} PUBLIC ${ARG_PUBLIC}
                         PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:deformlab_flags>)
   install(TARGETS deformlab_${name} EXPORT deformlabTargets
