@@ -1,5 +1,5 @@
 # deformlab_layer(NAME PUBLIC ... PRIVATE ...): the static library of one folder.
-# Every .cc in the folder is compiled, so a new file needs no line here.
+# Every .cc in it and in its folders is compiled, so a new file needs no line here.
 
 add_library(deformlab_flags INTERFACE)
 target_compile_features(deformlab_flags INTERFACE cxx_std_20)
@@ -18,9 +18,11 @@ endif()
 
 function(deformlab_layer name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cc)
-  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.h)
-  add_library(deformlab_${name} STATIC ${sources} ${headers})
+  set(root ${PROJECT_SOURCE_DIR}/${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${root}/*.cc ${root}/*/*.cc)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${root} ${root}/*.h)
+  list(TRANSFORM headers PREPEND ${name}/)
+  add_library(deformlab_${name} STATIC ${sources})
   add_library(deformlab::${name} ALIAS deformlab_${name})
   set_target_properties(deformlab_${name} PROPERTIES EXPORT_NAME ${name}
                         POSITION_INDEPENDENT_CODE ON)
@@ -40,5 +42,9 @@ function(deformlab_layer name)
                         PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:deformlab_flags>)
   install(TARGETS deformlab_${name} EXPORT deformlabTargets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/deformlab/${name})
+  foreach(header ${headers})
+    cmake_path(GET header PARENT_PATH folder)
+    install(FILES ${PROJECT_SOURCE_DIR}/${header}
+            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/deformlab/${folder})
+  endforeach()
 endfunction()

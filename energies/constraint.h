@@ -39,7 +39,7 @@ struct Constraint {
     return J;
   }
 
-  void aim(const Eigen::Matrix3Xd& targets) { q = targets.col(index); }
+  void aim(const Eigen::MatrixXd& targets) { q = targets.col(index); }
 
   /// All handles; until they are aimed they stay where they are.
   static Terms<Constraint> over(const DeformationGraph& graph, const Embedding& handles) {

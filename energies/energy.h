@@ -48,8 +48,9 @@ class Energy {
   /// The Jacobians of all elements side by side, rows() × (jacobian_columns() · size()).
   virtual void jacobians(const Unknowns& x, double* J) const = 0;
 
-  /// Handles have moved: 3×p targets q_l, for the terms that have any.
-  virtual void aim(const Eigen::Matrix3Xd& targets) = 0;
+  /// What the term is drawn towards has moved: d×p targets, for the terms that have any (the
+  /// handles' q_l of Eq. 8).
+  virtual void aim(const Eigen::MatrixXd& targets) = 0;
 
   int jacobian_columns() const {
     int columns = 0;

@@ -74,7 +74,7 @@ class TermEnergy final : public Energy {
     for (int e = 0; e < size(); ++e, J += stride) evaluate(e, pointers(x, e).data(), r.data(), J);
   }
 
-  void aim(const Eigen::Matrix3Xd& targets) override {
+  void aim(const Eigen::MatrixXd& targets) override {
     if constexpr (requires(Term t) { t.aim(targets); }) {
       for (Term& element : sum_.elements) element.aim(targets);
     }

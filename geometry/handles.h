@@ -1,14 +1,20 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 namespace deformlab {
 
-/// Which vertices of a shape the user holds (Sumner et al. 2007, section 4). Where the moved ones
-/// go is not here: targets change with every update, handles only with a compilation.
+/// What the user holds of a shape (Sumner et al. 2007, section 4; Igarashi et al. 2005, section 3).
+/// Where it goes is not here: targets change with every update, handles only with a compilation.
 struct Handles {
-  std::vector<int> fixed;  ///< fixed constraints: every node that influences one is held at rest
-  std::vector<int> moved;  ///< handle constraints, index(l) of Eq. 8, in the order of the targets
+  std::vector<int> fixed;  ///< vertices that stay: nodes that influence one are held at rest
+  std::vector<int> moved;  ///< vertices that move, index(l) of Eq. 8, in the order of the targets
+  /// 3×p places inside the shape that need be no vertices [length]; their targets follow those of
+  /// `moved`. Of a drawing z is 0.
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd(3, 0);
+
+  Eigen::Index targets() const { return static_cast<Eigen::Index>(moved.size()) + points.cols(); }
 };
 
 }  // namespace deformlab
