@@ -9,8 +9,9 @@ namespace deformlab {
 template <class... Term>
 struct TermList {};
 
-/// Every energy term there is. A term that is named here has a weight in configs, both solvers, a
-/// column in results and every law test.
-using AllTerms = TermList<Rotation, Regularization, Constraint>;
+/// The terms over a deformation graph, in space (d = 3) and in the plane (d = 2). One that is named
+/// here has a weight in configs, both solvers, a column in results and every law test.
+template <int d>
+using GraphTerms = TermList<Rotation<d>, Regularization<d>, Constraint<d>>;
 
 }  // namespace deformlab

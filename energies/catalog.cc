@@ -32,8 +32,9 @@ std::vector<Entry> entries(TermList<Term...>) {
   return {{{std::string(Term::kName), Term::kStructure, default_weight<Term>()}, &make<Term>}...};
 }
 
+template <int d>
 const std::vector<Entry>& catalog() {
-  static const std::vector<Entry> all = entries(AllTerms{});
+  static const std::vector<Entry> all = entries(GraphTerms<d>{});
   return all;
 }
 
@@ -42,16 +43,16 @@ const std::vector<Entry>& catalog() {
 const std::vector<EnergyInfo>& known_energies() {
   static const std::vector<EnergyInfo> infos = [] {
     std::vector<EnergyInfo> result;
-    for (const Entry& entry : catalog()) result.push_back(entry.info);
+    for (const Entry& entry : catalog<3>()) result.push_back(entry.info);
     return result;
   }();
   return infos;
 }
 
 std::unique_ptr<Energy> make_energy(std::string_view name, const DeformationGraph& graph,
-                                    const Embedding& handles) {
+                                    const Embedding& handles, int d) {
   std::string known;
-  for (const Entry& entry : catalog()) {
+  for (const Entry& entry : d == 2 ? catalog<2>() : catalog<3>()) {
     if (entry.info.name == name) return entry.make(graph, handles);
     known += (known.empty() ? "" : ", ") + entry.info.name;
   }

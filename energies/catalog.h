@@ -21,8 +21,9 @@ struct EnergyInfo {
 const std::vector<EnergyInfo>& known_energies();
 
 /// The named term, summed over a graph and its handles. `handles` are embedded in the same graph,
-/// in the same unit of length. Throws InputError for an unknown name.
+/// in the same unit of length. d = 2 is the term of the plane, for which the z of both counts
+/// nothing. Throws InputError for an unknown name.
 std::unique_ptr<Energy> make_energy(std::string_view name, const DeformationGraph& graph,
-                                    const Embedding& handles);
+                                    const Embedding& handles, int d = 3);
 
 }  // namespace deformlab

@@ -5,6 +5,7 @@
 namespace deformlab {
 
 /// Sumner et al. 2007, Eq. 7, one directed edge j → k: node j predicts where node k goes.
+template <int d = 3>
 struct Regularization {
   static constexpr std::string_view kName = "regularization";
   static constexpr Structure kStructure = Structure::kSeparable;
@@ -12,10 +13,10 @@ struct Regularization {
   static constexpr bool kZeroAtRest = true;
   static constexpr bool kRigidlyInvariant = true;
 
-  Eigen::Vector3d g_jk;  ///< g_k − g_j at rest [length]
+  Vector<double, d> g_jk;  ///< g_k − g_j at rest [length]
 
   template <class T>
-  Vector3<T> operator()(const Affine<T>& j, const Affine<T>& k) const {
+  Vector<T, d> operator()(const Affine<T, d>& j, const Affine<T, d>& k) const {
     return j.R * g_jk - g_jk + j.t - k.t;
   }
 
@@ -23,7 +24,7 @@ struct Regularization {
   static Terms<Regularization> over(const DeformationGraph& graph) {
     Terms<Regularization> sum{.arity = 2};
     for (const auto& [j, k, alpha] : graph.edges) {
-      const Eigen::Vector3d g_jk = graph.g.col(k) - graph.g.col(j);
+      const Vector<double, d> g_jk = (graph.g.col(k) - graph.g.col(j)).template head<d>();
       sum.add({g_jk}, {j, k}, alpha);
       sum.add({-g_jk}, {k, j}, alpha);
     }

@@ -6,6 +6,7 @@ namespace deformlab {
 
 /// Sumner et al. 2007, Eq. 5, one node: R_j is a rotation where its columns are orthonormal. A
 /// reflection is too, for all this term can see.
+template <int d = 3>
 struct Rotation {
   static constexpr std::string_view kName = "rotation";
   static constexpr Structure kStructure = Structure::kNonlinear;
@@ -13,21 +14,30 @@ struct Rotation {
   static constexpr bool kZeroAtRest = true;
   static constexpr bool kRigidlyInvariant = true;
 
+  /// c_a · c_b for all a < b, then c_a · c_a − 1.
   template <class T>
-  Vector6<T> operator()(const Matrix3<T>& R) const {
-    const auto c1 = R.col(0), c2 = R.col(1), c3 = R.col(2);
-    return {c1.dot(c2),        c1.dot(c3),        c2.dot(c3),
-            c1.dot(c1) - T(1), c2.dot(c2) - T(1), c3.dot(c3) - T(1)};
+  Vector<T, d*(d + 1) / 2> operator()(const Matrix<T, d>& R) const {
+    Vector<T, d*(d + 1) / 2> r;
+    int i = 0;
+    for (int a = 0; a < d; ++a) {
+      for (int b = a + 1; b < d; ++b) r[i++] = R.col(a).dot(R.col(b));
+    }
+    for (int a = 0; a < d; ++a) r[i++] = R.col(a).dot(R.col(a)) - T(1);
+    return r;
   }
 
-  /// ∂r/∂(c1, c2, c3), 6×9.
-  Eigen::Matrix<double, 6, 9> jacobian(const Eigen::Matrix3d& R) const {
-    const Eigen::RowVector3d c1 = R.col(0), c2 = R.col(1), c3 = R.col(2), o(0, 0, 0);
-    Eigen::Matrix<double, 6, 9> J;
-    J << c2, c1, o,  //
-        c3, o, c1,   //
-        o, c3, c2,   //
-        2 * c1, o, o, o, 2 * c2, o, o, o, 2 * c3;
+  /// ∂r/∂(c_1, …, c_d).
+  Eigen::Matrix<double, d*(d + 1) / 2, d * d> jacobian(const Matrix<double, d>& R) const {
+    Eigen::Matrix<double, d*(d + 1) / 2, d * d> J;
+    J.setZero();
+    int i = 0;
+    for (int a = 0; a < d; ++a) {
+      for (int b = a + 1; b < d; ++b, ++i) {
+        J.row(i).template segment<d>(d * a) = R.col(b);
+        J.row(i).template segment<d>(d * b) = R.col(a);
+      }
+    }
+    for (int a = 0; a < d; ++a) J.row(i++).template segment<d>(d * a) = 2 * R.col(a);
     return J;
   }
 

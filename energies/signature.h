@@ -20,11 +20,11 @@ struct Reads<Eigen::Matrix<T, d, c>> {
     return Eigen::Map<const Eigen::Matrix<T, d, c>>(x);
   }
 };
-template <class T>
-struct Reads<Affine<T>> {
-  static constexpr int kDimension = 3, kColumns = 4;
-  static Affine<T> from(const T* x) {
-    return {Reads<Matrix3<T>>::from(x), Reads<Vector3<T>>::from(x + 9)};
+template <class T, int d>
+struct Reads<Affine<T, d>> {
+  static constexpr int kDimension = d, kColumns = d + 1;
+  static Affine<T, d> from(const T* x) {
+    return {Reads<Matrix<T, d>>::from(x), Reads<Vector<T, d>>::from(x + d * d)};
   }
 };
 

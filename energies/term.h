@@ -9,18 +9,17 @@
 
 namespace deformlab {
 
-template <class T>
-using Vector3 = Eigen::Matrix<T, 3, 1>;
-template <class T>
-using Vector6 = Eigen::Matrix<T, 6, 1>;
-template <class T>
-using Matrix3 = Eigen::Matrix<T, 3, 3>;
+template <class T, int d>
+using Vector = Eigen::Matrix<T, d, 1>;
+template <class T, int d>
+using Matrix = Eigen::Matrix<T, d, d>;
 
-/// The transformation of one graph node (Sumner et al. 2007, Eq. 1).
-template <class T>
+/// The transformation of one graph node (Sumner et al. 2007, Eq. 1), in space (d = 3) or in the
+/// plane (d = 2).
+template <class T, int d>
 struct Affine {
-  Matrix3<T> R;
-  Vector3<T> t;  ///< [length]
+  Matrix<T, d> R;
+  Vector<T, d> t;  ///< [length]
 };
 
 /// The elements of one term and the nodes that each of them reads: the Σ of the paper.
@@ -28,10 +27,10 @@ struct Affine {
 /// A term is a struct of one element's data with a call operator, a template over the scalar, that
 /// returns the residual as a vector of fixed size (kMaxResiduals at most). What the operator takes
 /// says what it reads:
-///   const Affine<T>&                 all of a graph node
-///   const Matrix3<T>&                its linear part R_j alone
+///   const Affine<T, d>&              all of a graph node
+///   const Matrix<T, d>&              its linear part R_j alone
 ///   const Vector<T, d>&              a vertex
-///   std::span<const Affine<T>>       any number of nodes, the same for each element
+///   std::span<const Affine<T, d>>    any number of nodes, the same for each element
 /// Beside it stand kName, kStructure and `over`, which makes the sum. Optional members:
 ///   kWeight       its weight where a config names none (else 0: off until a config asks for it)
 ///   kZeroAtRest, kRigidlyInvariant   laws that hold for it, and are then tested

@@ -25,7 +25,8 @@ class TermEnergy final : public Energy {
   static constexpr int kMaxColumns =
       *std::max_element(Sig<double>::kColumns.begin(), Sig<double>::kColumns.end());
   using Jet = ceres::Jet<double, kDimension * kMaxColumns>;
-  static_assert(kRows > 0, "a term returns a residual of fixed size, such as Vector3<T>, not auto");
+  static_assert(kRows > 0,
+                "a term returns a residual of fixed size, such as Vector<T, 3>, not auto");
   static_assert(kRows <= kMaxResiduals, "split a term of so many residuals into several");
 
  public:

@@ -52,8 +52,8 @@ struct VectorPath {
 struct Drawing {
   double width = 0, height = 0;  ///< of the page [pixel]
   std::optional<Bitmap> bitmap;
-  std::vector<VectorPath> paths;  ///< in the order in which they are painted
-  Region region;                  ///< what the drawing covers
+  std::vector<VectorPath> paths;   ///< in the order in which they are painted
+  Region region;                   ///< what the drawing covers
   std::vector<std::string> notes;  ///< what was decided on the way: background, parts left out
 };
 

@@ -22,9 +22,9 @@ TEST(Catalog, MakesEveryTermThatItNames) {
 }
 
 TEST(Catalog, WeighsTheTermsOfEmbeddedDeformationAsThePaperDoes) {
-  EXPECT_EQ(Rotation::kWeight, 1);
-  EXPECT_EQ(Regularization::kWeight, 10);
-  EXPECT_EQ(Constraint::kWeight, 100);
+  EXPECT_EQ(Rotation<>::kWeight, 1);
+  EXPECT_EQ(Regularization<>::kWeight, 10);
+  EXPECT_EQ(Constraint<>::kWeight, 100);
 }
 
 TEST(Catalog, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
@@ -44,17 +44,17 @@ TEST(Catalog, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
 TEST(RotationTerm, IsEquation5) {
   Eigen::Matrix3d R;
   R << 1, 1, 0, 0, 2, 0, 0, 0, 3;
-  Vector6<double> expected;
+  Vector<double, 6> expected;
   expected << 1, 0, 0, 0, 4, 8;
-  EXPECT_EQ(Rotation{}(R), expected);
+  EXPECT_EQ(Rotation<>{}(R), expected);
 }
 
 // Eq. 7: R_j (g_k − g_j) + g_j + t_j − (g_k + t_k).
 TEST(RegularizationTerm, IsEquation7) {
   const Eigen::Vector3d g_j(1, 0, 0), g_k(1, 2, 0);
-  Affine<double> j{Eigen::Matrix3d::Identity() * 3, {0, 0, 1}}, k{{}, {0.5, 0, 0}};
+  Affine<double, 3> j{Eigen::Matrix3d::Identity() * 3, {0, 0, 1}}, k{{}, {0.5, 0, 0}};
   const Eigen::Vector3d expected = j.R * (g_k - g_j) + g_j + j.t - (g_k + k.t);
-  EXPECT_EQ(Regularization{g_k - g_j}(j, k), expected);
+  EXPECT_EQ(Regularization<>{g_k - g_j}(j, k), expected);
 }
 
 TEST(ConstraintTerm, MeasuresTheWayToTheTarget) {

@@ -26,15 +26,31 @@ template <class Term>
 Terms<Term> sum_over(const Problem& problem) {
   if constexpr (requires { Term::over(problem.graph, problem.handles); }) {
     return Term::over(problem.graph, problem.handles);
+  } else if constexpr (requires { Term::over(problem.mesh, problem.weights); }) {
+    return Term::over(problem.mesh, problem.weights);
   } else {
     return Term::over(problem.graph);
   }
 }
 
-/// States near rest and far from it.
-inline std::vector<Unknowns> states(const Problem& problem) {
-  return {problem.rest(), perturbed(problem.rest(), 0.1, 2), perturbed(problem.rest(), 3, 3)};
+/// The rest state of what the term is summed over: a graph's transformations, or the vertices of a
+/// triangulation where the term does not name other nodes.
+template <class Term>
+Unknowns rest_of(const Problem& problem) {
+  if constexpr (requires { Term::rest(problem.mesh); }) {
+    return Term::rest(problem.mesh);
+  } else if constexpr (requires { Term::over(problem.mesh, problem.weights); }) {
+    return Unknowns::uniform(problem.mesh.V, static_cast<int>(problem.mesh.V.cols()));
+  } else {
+    return problem.rest(TermEnergy<Term>(Terms<Term>{}).dimension());
+  }
 }
+
+/// States near rest and far from it.
+inline std::vector<Unknowns> states(const Unknowns& rest) {
+  return {rest, perturbed(rest, 0.1, 2), perturbed(rest, 3, 3)};
+}
+inline std::vector<Unknowns> states(const Problem& problem) { return states(problem.rest()); }
 
 inline std::vector<const double*> pointers(const Energy& energy, const Unknowns& x, int e) {
   std::vector<const double*> result;
@@ -100,22 +116,29 @@ inline AssertionResult zero_at_rest(const Energy& energy, const Unknowns& rest) 
   return AssertionFailure() << "a residual at rest is " << largest;
 }
 
-/// The state that a rigid motion p → Q p + c of all space makes of x.
-inline Unknowns moved(Unknowns x, const Eigen::Matrix3Xd& g, const Eigen::Matrix3d& Q,
-                      const Eigen::Vector3d& c) {
+/// The state that a rigid motion p → Q p + c of all space makes of x: a graph's transformations
+/// (d + 1 columns a node), or vertices.
+inline Unknowns moved(Unknowns x, const Eigen::Matrix3Xd& nodes, const Eigen::MatrixXd& Q,
+                      const Eigen::VectorXd& c) {
+  const int d = x.dimension();
   for (int j = 0; j < x.nodes(); ++j) {
-    auto node = x.X.middleCols<4>(4 * j);
-    node.leftCols<3>() = (Q * node.leftCols<3>()).eval();
-    node.col(3) = (Q * (g.col(j) + node.col(3)) + c - g.col(j)).eval();
+    auto node = x.X.middleCols(x.first[j], x.columns(j));
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(d);
+    if (x.columns(j) > 1) g = nodes.col(j).head(d);
+    node = (Q * node).eval();
+    node.rightCols<1>() += Q * g + c - g;
   }
   return x;
 }
 
 inline AssertionResult rigidly_invariant(const Energy& energy, const Problem& problem,
                                          const Unknowns& x) {
-  const Eigen::Matrix3d Q = Eigen::Quaterniond(0.3, -0.5, 0.2, 0.8).normalized().matrix();
+  const Eigen::Matrix3d Q3 = Eigen::Quaterniond(0.3, -0.5, 0.2, 0.8).normalized().matrix();
+  const Eigen::Matrix2d Q2 = Eigen::Rotation2Dd(2.1).matrix();
+  const int d = x.dimension();
+  const Eigen::MatrixXd Q = d == 2 ? Eigen::MatrixXd(Q2) : Eigen::MatrixXd(Q3);
   const double before = residuals(energy, x).squaredNorm();
-  const Unknowns there = moved(x, problem.graph.g, Q, {0.7, -2, 1.1});
+  const Unknowns there = moved(x, problem.graph.g, Q, Eigen::Vector3d(0.7, -2, 1.1).head(d));
   const double after = residuals(energy, there).squaredNorm();
   if (std::abs(after - before) <= 1e-11 * (1 + before)) return AssertionSuccess();
   return AssertionFailure() << "E is " << before << ", after a rigid motion " << after;

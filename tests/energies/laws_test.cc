@@ -3,7 +3,8 @@
 namespace deformlab::test {
 namespace {
 
-INSTANTIATE_TYPED_TEST_SUITE_P(AllTerms, Laws, MembersOf<AllTerms>::Types, TermNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(InSpace, Laws, MembersOf<GraphTerms<3>>::Types, TermNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(InThePlane, Laws, MembersOf<GraphTerms<2>>::Types, TermNames);
 
 // What follows breaks one law each: the laws must notice.
 template <Structure structure>
@@ -11,7 +12,7 @@ struct Squared {  // r = c1 + c2 ∘ c2
   static constexpr std::string_view kName = "squared";
   static constexpr Structure kStructure = structure;
   template <class T>
-  Vector3<T> operator()(const Matrix3<T>& R) const {
+  Vector<T, 3> operator()(const Matrix<T, 3>& R) const {
     return R.col(0) + R.col(1).cwiseProduct(R.col(1));
   }
 };
@@ -21,7 +22,7 @@ struct Mixed {  // r = (c1.y, c1.z, c1.x): affine, but not the same for every co
   static constexpr std::string_view kName = "mixed";
   static constexpr Structure kStructure = structure;
   template <class T>
-  Vector3<T> operator()(const Matrix3<T>& R) const {
+  Vector<T, 3> operator()(const Matrix<T, 3>& R) const {
     return {R(1, 0), R(2, 0), R(0, 0)};
   }
 };
@@ -31,7 +32,7 @@ struct Sum {  // r = c1 + c2: separable
   static constexpr std::string_view kName = "sum";
   static constexpr Structure kStructure = structure;
   template <class T>
-  Vector3<T> operator()(const Matrix3<T>& R) const {
+  Vector<T, 3> operator()(const Matrix<T, 3>& R) const {
     return R.col(0) + R.col(1);
   }
 };
@@ -40,7 +41,7 @@ struct WrongJacobian {
   static constexpr std::string_view kName = "wrong_jacobian";
   static constexpr Structure kStructure = Structure::kNonlinear;
   template <class T>
-  Eigen::Matrix<T, 1, 1> operator()(const Matrix3<T>& R) const {
+  Eigen::Matrix<T, 1, 1> operator()(const Matrix<T, 3>& R) const {
     return Eigen::Matrix<T, 1, 1>(R.col(0).squaredNorm());
   }
   Eigen::Matrix<double, 1, 9> jacobian(const Eigen::Matrix3d& R) const {
@@ -54,7 +55,7 @@ struct ForgetsARow {
   static constexpr std::string_view kName = "forgets_a_row";
   static constexpr Structure kStructure = Structure::kSeparable;
   template <class T>
-  Vector3<T> operator()(const Matrix3<T>& R) const {
+  Vector<T, 3> operator()(const Matrix<T, 3>& R) const {
     return {R(0, 0), R(1, 0), T(NAN)};
   }
 };

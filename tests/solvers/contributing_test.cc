@@ -9,7 +9,7 @@ namespace {
 Stage plate_that_keeps_its_volume() {
   const Problem problem = random_problem(40);
   Stage stage = make_stage(problem, twisted(problem.handles, 0.4, 0.3));
-  stage.terms.push_back({std::make_unique<TermEnergy<Volume>>(Volume::over(problem.graph)), 5});
+  stage.terms.push_back({std::make_unique<TermEnergy<Volume<>>>(Volume<>::over(problem.graph)), 5});
   return stage;
 }
 

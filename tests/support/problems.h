@@ -8,24 +8,49 @@
 #include "energies/unknowns.h"
 #include "geometry/deformation_graph.h"
 #include "geometry/transfer.h"
+#include "geometry/triangulation.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
 
-/// A deformation graph, and handles embedded in it.
+/// What terms are summed over: a deformation graph and handles embedded in it, a triangulation and
+/// a weight for each of its triangles.
 struct Problem {
   DeformationGraph graph;
   Embedding handles;
+  Triangulation mesh;
+  Eigen::VectorXd weights;
 
   int nodes() const { return static_cast<int>(graph.g.cols()); }
-  Unknowns rest() const { return Unknowns::uniform(rest_transformations(nodes()), nodes()); }
+  /// R_j = I, t_j = 0, in d dimensions.
+  Unknowns rest(int d = 3) const {
+    Eigen::MatrixXd I = Eigen::MatrixXd::Identity(d, d + 1);
+    return Unknowns::uniform(I.replicate(1, nodes()), nodes());
+  }
 };
+
+/// n×n vertices over [0, 3]², somewhat shaken, and two triangles between four of them.
+inline Triangulation shaken_grid(int n, unsigned seed = 1) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> shake(-0.2, 0.2);
+  Triangulation mesh{Eigen::Matrix2Xd(2, n * n), Eigen::Matrix3Xi(3, 2 * (n - 1) * (n - 1))};
+  for (int i = 0; i < n * n; ++i) mesh.V.col(i) << i % n + shake(random), i / n + shake(random);
+  mesh.V *= 3.0 / (n - 1);
+  for (int y = 0, f = 0; y + 1 < n; ++y) {
+    for (int x = 0; x + 1 < n; ++x) {
+      const int a = y * n + x;
+      mesh.F.col(f++) << a, a + 1, a + 1 + n;
+      mesh.F.col(f++) << a, a + 1 + n, a + n;
+    }
+  }
+  return mesh;
+}
 
 /// The nodes `g`, joined over the points `v`; those in the first and the last tenth along x are the
 /// handles. Everything is in units of the mean edge.
 inline Problem make_problem(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, int k) {
   const Embedding shape = embed(v, g, k);
-  Problem problem{connect(g, shape, "overlap"), {}};
+  Problem problem{connect(g, shape, "overlap"), {}, {}, {}};
   const double low = v.row(0).minCoeff(), high = v.row(0).maxCoeff();
   std::vector<int> ends;
   for (int i = 0; i < v.cols(); ++i) {
@@ -42,7 +67,11 @@ inline Problem make_problem(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v
 /// m nodes at random in a thick plate, with 15 points a node.
 inline Problem random_problem(int m, int k = 4, unsigned seed = 1) {
   const Eigen::Vector3d size(3, 1, 0.3);
-  return make_problem(random_points(m, size, seed), random_points(15 * m, size, seed + 1), k);
+  Problem problem =
+      make_problem(random_points(m, size, seed), random_points(15 * m, size, seed + 1), k);
+  problem.mesh = shaken_grid(4, seed);
+  problem.weights = Eigen::VectorXd::LinSpaced(problem.mesh.F.cols(), 0.5, 3);
+  return problem;
 }
 
 /// Where the handles go: the upper half along x turns by `angle` about x and rises by `lift`.
