@@ -58,6 +58,15 @@ void check_energies(const std::map<std::string, double>& weights) {
   }
 }
 
+void check_dimension(int d, const Shape& rest) {
+  if (d != 2 && d != 3) {
+    throw InputError("dimension is " + std::to_string(d) + "; it is 3, or 2 for a flat shape");
+  }
+  if (d == 2 && rest.V.cols() > 0 && rest.V.row(2).maxCoeff() > rest.V.row(2).minCoeff()) {
+    throw InputError("dimension is 2, but z differs over the shape; use 3, or flatten it");
+  }
+}
+
 void check_vertices(const std::vector<int>& indices, Eigen::Index count) {
   for (const int i : indices) {
     if (i >= 0 && i < count) continue;
@@ -81,6 +90,7 @@ void check_disjoint(const Handles& handles) {
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
   check_energies(options_.energies);
+  check_dimension(options_.dimension, rest_);
   Eigen::Matrix3Xd nodes;
   {
     Stopwatch watch(seconds_["sample"]);
@@ -93,6 +103,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
                                          const EmbeddedDeformationOptions& options)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
   check_energies(options_.energies);
+  check_dimension(options_.dimension, rest_);
   register_shape(nodes);
 }
 
@@ -117,20 +128,31 @@ void EmbeddedDeformation::register_shape(const Eigen::Matrix3Xd& nodes) {
   }
   unit_ = deformlab::length_unit(options_.length_unit, graph_);
   const int m = static_cast<int>(nodes.cols());
-  stage_.x = Unknowns::uniform(rest_transformations(m), m);
+  stage_.x = Unknowns::uniform(rest_unknowns(m), m);
   stage_.fixed.assign(m, 0);
   deformed_ = rest_;
   compile({});
 }
 
 void EmbeddedDeformation::reset() {
-  stage_.x.X = rest_transformations(graph_.g.cols());
+  stage_.x.X = rest_unknowns(stage_.x.nodes());
   deformed_ = rest_;
 }
 
+// R_j = I, t_j = 0, side by side.
+Eigen::MatrixXd EmbeddedDeformation::rest_unknowns(int m) const {
+  const int d = options_.dimension;
+  return Eigen::MatrixXd::Identity(d, d + 1).replicate(1, m);
+}
+
 Transformations EmbeddedDeformation::transformations() const {
-  Transformations X = stage_.x.X;
-  for (Eigen::Index j = 3; j < X.cols(); j += 4) X.col(j) *= unit_;
+  const int d = options_.dimension;
+  Transformations X = rest_transformations(stage_.x.nodes());
+  for (int j = 0; j < stage_.x.nodes(); ++j) {
+    const auto node = stage_.x.X.middleCols((d + 1) * j, d + 1);
+    X.block(0, 4 * j, d, d) = node.leftCols(d);
+    X.block(0, 4 * j + 3, d, 1) = unit_ * node.col(d);
+  }
   return X;
 }
 
@@ -143,7 +165,8 @@ void EmbeddedDeformation::fix_nodes(const Handles& handles) {
     }
   }
   for (int j = 0; j < stage_.x.nodes(); ++j) {
-    if (stage_.fixed[j]) stage_.x.X.middleCols<4>(4 * j) = rest_transformations(1);
+    const int first = stage_.x.first[j], columns = stage_.x.columns(j);
+    if (stage_.fixed[j]) stage_.x.X.middleCols(first, columns) = rest_unknowns(1);
   }
 }
 
@@ -154,7 +177,8 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   check_vertices(handles.moved, rest_.V.cols());
   check_disjoint(handles);
   fixed_ = handles.fixed;
-  handles_ = subset(embedding_, handles.moved);
+  handles_ = joined(subset(embedding_, handles.moved),
+                    embed(handles.points, graph_.g, options_.graph.neighbors));
   fix_nodes(handles);
   Holds holds =
       hold_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), stage_.fixed);
@@ -172,7 +196,8 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   for (const EnergyInfo& info : known_energies()) {
     const auto named = options_.energies.find(info.name);
     const double weight = named != options_.energies.end() ? named->second : info.default_weight;
-    if (weight > 0) stage_.terms.push_back({make_energy(info.name, graph, embedded), weight});
+    if (weight > 0)
+      stage_.terms.push_back({make_energy(info.name, graph, embedded, options_.dimension), weight});
   }
   solver_->compile(stage_);
 }
@@ -181,10 +206,12 @@ void EmbeddedDeformation::compile(const Handles& handles) {
 // without turning, which is then a minimum: one handle is a translation.
 void EmbeddedDeformation::carry_along(const Eigen::Matrix3Xd& targets) {
   if (at_one_point_.empty()) return;
+  const int d = options_.dimension;
   const Eigen::Matrix3Xd reached = transfer_positions(transformations(), graph_.g, handles_);
   for (const PointHeld& part : at_one_point_) {
     const Eigen::Matrix3Xd motion = (targets - reached)(Eigen::all, part.handles);
-    for (const int j : part.nodes) stage_.x.X.col(4 * j + 3) += motion.rowwise().mean() / unit_;
+    const Eigen::Vector3d t = motion.rowwise().mean() / unit_;
+    for (const int j : part.nodes) stage_.x.X.col(stage_.x.first[j + 1] - 1) += t.head(d);
   }
 }
 
@@ -212,7 +239,8 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   }
   if (!targets.allFinite()) throw InputError("a handle's target is not finite");
   Report report;
-  for (const auto& term : stage_.terms) term.energy->aim(targets / unit_);
+  const Eigen::MatrixXd aims = targets.topRows(options_.dimension) / unit_;
+  for (const auto& term : stage_.terms) term.energy->aim(aims);
   carry_along(targets);
   report.solve = solver_->solve(stage_);
   const Transformations X = transformations();

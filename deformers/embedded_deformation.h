@@ -20,6 +20,9 @@ struct EmbeddedDeformationOptions {
   /// measured in. "mean_edge", the mean edge of the graph, makes the result independent of the
   /// shape's unit; a number is that many of the shape's own (1: the formula as printed).
   std::string length_unit = "mean_edge";
+  /// 2: the shape lies in the plane, of z nothing is asked, and a node has six unknowns instead of
+  /// twelve, the same terms being summed (Sumner et al. 2007, section 7, names images).
+  int dimension = 3;
   SolverOptions solver;
 
   template <class Self, class Visit>
@@ -27,6 +30,7 @@ struct EmbeddedDeformationOptions {
     visit("graph", o.graph, "the deformation graph");
     visit("energies", o.energies, "weight of each energy term; one not named has its default");
     visit("length_unit", o.length_unit, "mean_edge, or a number in the shape's own unit");
+    visit("dimension", o.dimension, "3, or 2 for a shape in the plane, such as a drawing");
     visit("solver", o.solver, "how the energy is minimised");
   }
 };
@@ -47,11 +51,12 @@ class EmbeddedDeformation final : public Deformer {
 
   const DeformationGraph& graph() const { return graph_; }  ///< at rest [length]
   Transformations transformations() const;                  ///< 3×4m, t_j [length]
-  const Stage& stage() const { return stage_; }             ///< in units of length_unit()
+  const Stage& stage() const { return stage_; }             ///< d×(d+1)m, in length_unit()s
   double length_unit() const { return unit_; }
 
  private:
   void register_shape(const Eigen::Matrix3Xd& nodes);
+  Eigen::MatrixXd rest_unknowns(int m) const;
   void fix_nodes(const Handles& handles);
   void carry_along(const Eigen::Matrix3Xd& targets);
   void measure_determinants(const Transformations& X, Report& report) const;
@@ -59,7 +64,7 @@ class EmbeddedDeformation final : public Deformer {
 
   EmbeddedDeformationOptions options_;
   Shape rest_, deformed_;
-  Embedding embedding_, handles_;  // of the whole shape, and of its moved vertices [length]
+  Embedding embedding_, handles_;  // of the whole shape, and of what is moved [length]
   std::vector<int> fixed_;         // vertices
   DeformationGraph graph_;
   double unit_ = 1;

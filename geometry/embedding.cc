@@ -53,6 +53,15 @@ Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   return result;
 }
 
+Embedding joined(const Embedding& first, const Embedding& second) {
+  const Eigen::Index k = first.nodes.rows(), n = first.v.cols() + second.v.cols();
+  Embedding result{Eigen::Matrix3Xd(3, n), Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
+  result.v << first.v, second.v;
+  result.nodes << first.nodes, second.nodes;
+  result.weights << first.weights, second.weights;
+  return result;
+}
+
 Embedding subset(const Embedding& embedding, std::span<const int> indices) {
   const auto n = static_cast<Eigen::Index>(indices.size());
   const Eigen::Index k = embedding.nodes.rows();

@@ -24,6 +24,9 @@ struct Embedding {
 /// Throws InputError for m = 0 or k outside 1 … kMaxNeighbors.
 Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k);
 
+/// The points of one embedding, then those of another in the same graph with the same k.
+Embedding joined(const Embedding& first, const Embedding& second);
+
 /// The embedding of some of its points, in the order of `indices` (0 ≤ index < n).
 Embedding subset(const Embedding& embedding, std::span<const int> indices);
 
