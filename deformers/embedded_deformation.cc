@@ -156,6 +156,10 @@ Transformations EmbeddedDeformation::transformations() const {
   return X;
 }
 
+Eigen::Matrix3Xd EmbeddedDeformation::points(const Transformations& X) const {
+  return transfer_positions(X, graph_.g, handles_).rightCols(points_);
+}
+
 // Sumner et al. 2007, Eq. 9: R_q = I, t_q = 0 for every node that influences a fixed vertex.
 void EmbeddedDeformation::fix_nodes(const Handles& handles) {
   std::fill(stage_.fixed.begin(), stage_.fixed.end(), 0);
@@ -177,6 +181,7 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   check_vertices(handles.moved, rest_.V.cols());
   check_disjoint(handles);
   fixed_ = handles.fixed;
+  points_ = handles.points.cols();
   handles_ = joined(subset(embedding_, handles.moved),
                     embed(handles.points, graph_.g, options_.graph.neighbors));
   fix_nodes(handles);

@@ -51,7 +51,9 @@ class EmbeddedDeformation final : public Deformer {
 
   const DeformationGraph& graph() const { return graph_; }  ///< at rest [length]
   Transformations transformations() const;                  ///< 3×4m, t_j [length]
-  const Stage& stage() const { return stage_; }             ///< d×(d+1)m, in length_unit()s
+  /// Where the transformations X (3×4m) take the handles that need be no vertices, 3×p [length].
+  Eigen::Matrix3Xd points(const Transformations& X) const;
+  const Stage& stage() const { return stage_; }  ///< d×(d+1)m, in length_unit()s
   double length_unit() const { return unit_; }
 
  private:
@@ -66,6 +68,7 @@ class EmbeddedDeformation final : public Deformer {
   Shape rest_, deformed_;
   Embedding embedding_, handles_;  // of the whole shape, and of what is moved [length]
   std::vector<int> fixed_;         // vertices
+  Eigen::Index points_ = 0;        // the last columns of handles_ are no vertices
   DeformationGraph graph_;
   double unit_ = 1;
   Stage stage_;

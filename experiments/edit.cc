@@ -48,14 +48,16 @@ void check_only_true(const std::optional<bool>& flag, const char* name, const st
   }
 }
 
+}  // namespace
+
 void check_selection(const Selection& select, const std::string& where) {
   check_only_true(select.all, "all", where);
   const int given = select.vertices.has_value() + select.box.has_value() +
                     select.sphere.has_value() + select.nearest.has_value() +
-                    select.file.has_value() + select.all.has_value();
+                    select.point.has_value() + select.file.has_value() + select.all.has_value();
   if (given != 1) {
     throw InputError(where + ": 'select' needs exactly one of vertices, box, sphere, nearest, " +
-                     "file, all; found " + std::to_string(given));
+                     "point, file, all; found " + std::to_string(given));
   }
   if (select.sphere && select.sphere->radius < 0) {
     throw InputError(where + ": the sphere's radius must be at least 0, found " +
@@ -66,6 +68,8 @@ void check_selection(const Selection& select, const std::string& where) {
                      " must not exceed its max " + text_of(select.box->max));
   }
 }
+
+namespace {
 
 void check_action(const EditEntry& entry) {
   check_only_true(entry.fix, "fix", entry.where);
@@ -90,12 +94,11 @@ std::vector<int> select_if(const Eigen::Matrix3Xd& V, Inside&& inside) {
   return selected;
 }
 
-std::vector<int> select_vertices(const EditEntry& entry, const Shape& shape) {
-  std::vector<int> selected = *entry.select.vertices;
+std::vector<int> listed(std::vector<int> selected, const Shape& shape, const std::string& where) {
   const int count = static_cast<int>(shape.V.cols());
   for (const int i : selected) {
     if (i >= 0 && i < count) continue;
-    throw InputError(entry.where + ": vertex " + std::to_string(i) + " does not exist; the shape " +
+    throw InputError(where + ": vertex " + std::to_string(i) + " does not exist; the shape " +
                      "has " + std::to_string(count) + " vertices, counted from 0");
   }
   std::sort(selected.begin(), selected.end());
@@ -103,10 +106,9 @@ std::vector<int> select_vertices(const EditEntry& entry, const Shape& shape) {
   return selected;
 }
 
-/// The vertices of the entry in ascending order, each once.
-std::vector<int> select(const EditEntry& entry, const Shape& shape) {
-  const Selection& by = entry.select;
-  if (by.vertices) return select_vertices(entry, shape);
+/// The vertices selected, in ascending order, each once.
+std::vector<int> select(const Selection& by, const Shape& shape, const std::string& where) {
+  if (by.vertices) return listed(*by.vertices, shape, where);
   if (by.box) {
     return select_if(shape.V, [&](const auto& p) {
       return (p.array() >= by.box->min.array()).all() && (p.array() <= by.box->max.array()).all();
@@ -125,14 +127,22 @@ std::vector<int> select(const EditEntry& entry, const Shape& shape) {
   return select_if(shape.V, [&](const auto&) { return by.all.has_value(); });
 }
 
-std::vector<int> select_some(const EditEntry& entry, const Shape& shape) {
-  std::vector<int> selected = select(entry, shape);
+}  // namespace
+
+std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
+                                 const std::string& where) {
+  if (selection.point) {
+    throw InputError(where + ": 'point' is a place, not a vertex; take 'nearest' here");
+  }
+  std::vector<int> selected = select(selection, shape, where);
   if (!selected.empty()) return selected;
-  throw InputError(entry.where + " selects no vertex; the shape reaches from " +
+  throw InputError(where + " selects no vertex; the shape reaches from " +
                    text_of(shape.V.rowwise().minCoeff()) + " to " +
                    text_of(shape.V.rowwise().maxCoeff()) +
                    ": check the unit and the axes of the selection");
 }
+
+namespace {
 
 /// The motion that the entry's action gives to its vertices, whose rest positions are P (3×#).
 Eigen::Isometry3d motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P) {
@@ -150,27 +160,38 @@ Eigen::Isometry3d motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P) {
   return motion;
 }
 
+Eigen::Matrix3Xd matrix(const std::vector<Eigen::Vector3d>& columns) {
+  Eigen::Matrix3Xd result(3, columns.size());
+  for (std::size_t l = 0; l < columns.size(); ++l) result.col(l) = columns[l];
+  return result;
+}
+
 /// Gathers the vertices of one entry after another and finds contradictions between them.
 class Resolver {
  public:
-  Resolver(const std::vector<EditEntry>& entries, const Shape& shape)
+  Resolver(const std::vector<EditEntry>& entries, const Shape& shape, const Levers& levers)
       : entries_(entries),
         shape_(shape),
+        levers_(levers),
         same_(1e-9 * bounding_box_diagonal(shape.V)),
         owner_(static_cast<std::size_t>(shape.V.cols()), -1),
         column_(owner_.size(), -1) {}
 
   ResolvedEdit run() {
     for (std::size_t e = 0; e < entries_.size(); ++e) add(static_cast<int>(e));
-    ResolvedEdit edit{std::move(handles_), Eigen::Matrix3Xd(3, targets_.size())};
-    for (std::size_t l = 0; l < targets_.size(); ++l) edit.targets.col(l) = targets_[l];
-    return edit;
+    handles_.points = matrix(points_);
+    targets_.insert(targets_.end(), point_targets_.begin(), point_targets_.end());
+    return {std::move(handles_), matrix(targets_)};
   }
 
  private:
   void add(int e) {
     const EditEntry& entry = entries_[e];
-    const std::vector<int> selected = select_some(entry, shape_);
+    if (entry.select.point) {
+      add_point(*entry.select.point, e);
+      return;
+    }
+    const std::vector<int> selected = select_vertices(entry.select, shape_, entry.where);
     if (entry.fix) {
       for (const int i : selected) fix(i, e);
       return;
@@ -181,6 +202,35 @@ class Resolver {
       const bool exactly = entry.to && selected.size() == 1;  // free of rounding
       move(selected[k], e, exactly ? *entry.to : Eigen::Vector3d(motion * P.col(k)));
     }
+    if (entry.rotate && selected.size() == 1) add_lever(P.col(0), motion, e);
+  }
+
+  void add_point(const Eigen::Vector3d& p, int e) {
+    const EditEntry& entry = entries_[e];
+    const Eigen::Isometry3d motion = motion_of(entry, p);
+    const Eigen::Vector3d target = entry.fix ? p : entry.to ? *entry.to : motion * p;
+    check_range(target, e, "the place " + text_of(p));
+    points_.push_back(p);
+    point_targets_.push_back(target);
+    if (entry.rotate) add_lever(p, motion, e);
+  }
+
+  // The other end of the lever, at the first of sixteen angles about the axis that is inside.
+  void add_lever(const Eigen::Vector3d& p, const Eigen::Isometry3d& motion, int e) {
+    if (levers_.length == 0) return;
+    const Eigen::Vector3d axis = entries_[e].rotate->axis.stableNormalized();
+    const Eigen::Vector3d arm = levers_.length * axis.unitOrthogonal();
+    for (int i = 0; i < 16; ++i) {
+      const Eigen::Vector3d end = p + Eigen::AngleAxisd(i * std::numbers::pi / 8, axis) * arm;
+      if (!levers_.inside(end)) continue;
+      points_.push_back(end);
+      point_targets_.push_back(motion * end);
+      return;
+    }
+    std::ostringstream message;
+    message << entries_[e].where << ": a rotation handle needs a place inside the shape "
+            << levers_.length << " from " << text_of(p) << ", and there is none; move it inwards";
+    throw InputError(message.str());
   }
 
   void fix(int i, int e) {
@@ -190,11 +240,14 @@ class Resolver {
     handles_.fixed.push_back(i);
   }
 
+  void check_range(const Eigen::Vector3d& target, int e, const std::string& what) const {
+    if (target.cwiseAbs().maxCoeff() <= kMostLength) return;
+    throw InputError(entries_[e].where + " moves " + what + " beyond the range of numbers, to " +
+                     text_of(target));
+  }
+
   void move(int i, int e, const Eigen::Vector3d& target) {
-    if (!(target.cwiseAbs().maxCoeff() <= kMostLength)) {
-      throw InputError(entries_[e].where + " moves vertex " + std::to_string(i) +
-                       " beyond the range of numbers, to " + text_of(target));
-    }
+    check_range(target, e, "vertex " + std::to_string(i));
     if (owner_[i] < 0) {
       owner_[i] = e;
       column_[i] = static_cast<int>(targets_.size());
@@ -218,11 +271,12 @@ class Resolver {
 
   const std::vector<EditEntry>& entries_;
   const Shape& shape_;
+  const Levers& levers_;
   const double same_;        ///< targets this close are one place: they differ by rounding
   std::vector<int> owner_;   ///< by vertex: the entry that took it first, or -1
   std::vector<int> column_;  ///< by vertex: its column of the targets, or -1
   Handles handles_;
-  std::vector<Eigen::Vector3d> targets_;
+  std::vector<Eigen::Vector3d> targets_, points_, point_targets_;
 };
 
 /// The whole of an edit file.
@@ -259,10 +313,11 @@ std::vector<EditEntry> read_edit_file(const std::filesystem::path& path) {
   return read_edit(read_config<EditFile>(load_config(path)).edit);
 }
 
-ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape) {
+ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
+                     const Levers& levers) {
   if (entries.empty()) throw InputError("the edit has no entries");
   if (shape.V.cols() == 0) throw InputError("the shape to edit has no vertices");
-  return Resolver(entries, shape).run();
+  return Resolver(entries, shape, levers).run();
 }
 
 }  // namespace deformlab

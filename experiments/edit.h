@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,12 +35,13 @@ struct SphereSelection {
   }
 };
 
-/// Which vertices an entry of an edit speaks of, by their rest positions: exactly one is given.
+/// What an entry of an edit speaks of, by rest positions: exactly one is given.
 struct Selection {
   std::optional<std::vector<int>> vertices;
   std::optional<BoxSelection> box;
   std::optional<SphereSelection> sphere;
   std::optional<Eigen::Vector3d> nearest;
+  std::optional<Eigen::Vector3d> point;
   std::optional<std::filesystem::path> file;  ///< read_edit turns it into `vertices`
   std::optional<bool> all;
   template <class Self, class Visit>
@@ -48,6 +50,7 @@ struct Selection {
     visit("box", o.box, "all vertices inside an axis-aligned box");
     visit("sphere", o.sphere, "all vertices inside a sphere");
     visit("nearest", o.nearest, "the one vertex closest to [x, y, z]");
+    visit("point", o.point, "a place inside the shape, be it a vertex or not");
     visit("file", o.file, "a text file with a vertex index a line, beside the YAML file");
     visit("all", o.all, "true: every vertex");
   }
@@ -92,6 +95,9 @@ struct EditEntry {
 /// numbers that are not finite, an unreadable file of indices, no entries at all.
 std::vector<EditEntry> read_edit(const ConfigNode& list);
 
+/// Throws InputError where not exactly one selector is given, or one that selects nothing possible.
+void check_selection(const Selection& select, const std::string& where);
+
 /// Reads a YAML file whose only key is `edit`. Throws InputError as load_config and read_edit do.
 std::vector<EditEntry> read_edit_file(const std::filesystem::path& path);
 
@@ -99,13 +105,27 @@ std::vector<EditEntry> read_edit_file(const std::filesystem::path& path);
 /// within an entry by index.
 struct ResolvedEdit {
   Handles handles;
-  Eigen::Matrix3Xd targets;  ///< 3×#moved: where handles.moved go [length]
+  Eigen::Matrix3Xd targets;  ///< 3×#: where handles.moved go, then handles.points [length]
 };
 
-/// Selects vertices by their rest positions. A vertex that several entries move to the same place
+/// A single place cannot show that it turns. One that is rotated takes a second place along, a
+/// lever, so that the shape there follows its angle (Igarashi et al. 2005, Figure 16).
+struct Levers {
+  double length = 0;  ///< distance of the second place [length]; 0: single places do not turn
+  /// Whether a place lies in the shape, where the lever's other end has to.
+  std::function<bool(const Eigen::Vector3d&)> inside = [](const Eigen::Vector3d&) { return true; };
+};
+
+/// Selects by rest positions. A vertex that several entries move to the same place
 /// counts once. Throws InputError (naming the entries) where an index does not exist, a selection
 /// is empty, a vertex is both fixed and moved or moved to two places, a target is not finite, or
 /// there are no entries.
-ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape);
+ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
+                     const Levers& levers = {});
+
+/// The vertices of a selection, ascending, each once; `where` is what messages call it. Throws
+/// InputError where there is none or the selection is of a place that need be no vertex.
+std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
+                                 const std::string& where);
 
 }  // namespace deformlab

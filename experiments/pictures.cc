@@ -46,6 +46,7 @@ void PictureBook::add(const Shape& shape, const EmbeddedDeformation& deformer,
   } else {
     add_balls(panel, shape.V(Eigen::all, moved), kHandleRadius * size, colors::kHandle);
   }
+  add_balls(panel, deformer.points(X), kHandleRadius * size, colors::kHandle);
   if (options_.graph == "all" || (options_.graph == "rest" && panels_.empty() && options_.rest)) {
     add_graph(panel, deformer.graph(), deformed_nodes(deformer.graph(), X),
               std::min(kNodeRadius * size, kNodeShare * mean_edge_length(deformer.graph())));
