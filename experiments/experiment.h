@@ -7,6 +7,7 @@
 #include "deformers/embedded_deformation.h"
 #include "experiments/claims.h"
 #include "experiments/config_node.h"
+#include "experiments/drag.h"
 #include "experiments/scene.h"
 
 namespace deformlab {
@@ -45,6 +46,7 @@ struct ExperimentConfig {
   ShapeOptions shape;
   EmbeddedDeformationOptions deformation;
   ConfigNode edit;
+  DragOptions drag;
   PictureOptions picture;
   ConfigNode sweep;
   std::vector<Claim> claims;
@@ -56,6 +58,7 @@ struct ExperimentConfig {
     visit("shape", o.shape, "what is deformed");
     EmbeddedDeformationOptions::fields(o.deformation, visit);
     visit.required("edit", o.edit, "list of selections and what happens to them");
+    visit("drag", o.drag, "in how many updates the handles reach their targets");
     visit("picture", o.picture, "how it is drawn");
     visit("sweep", o.sweep, "dotted keys and lists of values: every combination is run");
     visit("claims", o.claims, "what the measurements must show");

@@ -1,15 +1,12 @@
 #include "experiments/run.h"
 
-#include <glog/logging.h>
-
 #include <algorithm>
 #include <cctype>
 
 #include "energies/catalog.h"
 #include "experiments/camera.h"
 #include "experiments/config.h"
-#include "experiments/edit.h"
-#include "experiments/pictures.h"
+#include "experiments/shape_run.h"
 #include "experiments/suggest.h"
 #include "geometry/error.h"
 
@@ -41,30 +38,6 @@ ExperimentConfig read(const ConfigNode& root) {
   auto config = read_config<ExperimentConfig>(root);
   complete_energies(root, config.deformation);
   return config;
-}
-
-Run run_once(const ExperimentConfig& config, const std::filesystem::path& folder,
-             const std::string& caption, bool first, PictureBook& pictures) {
-  const Shape rest = make_shape(config.shape, folder);
-  const ResolvedEdit edit = resolve(read_edit(config.edit), rest);
-  EmbeddedDeformation deformer(rest, config.deformation);
-  deformer.compile(edit.handles);
-  const Report report = deformer.update(edit.targets);
-  Run run;
-  run.solve = report.solve;
-  run.notes = report.notes;
-  run.seconds = seconds_of(report);
-  run.measured.metrics = metrics_of(report);
-  const double size = bounding_box_diagonal(rest.V);
-  run.measured.metrics["vertices"] = static_cast<double>(rest.V.cols());
-  run.measured.metrics["handles"] = static_cast<double>(edit.handles.moved.size());
-  run.measured.metrics["handle_rms_relative"] = size > 0 ? report.handle_rms / size : 0;
-  run.measured.metrics.merge(distortion(rest, deformer.deformed()));
-  run.measured.metrics.merge(node_shear(deformer.transformations()));
-  if (first) pictures.add_rest(deformer, rest, edit);
-  pictures.add_deformed(deformer, edit, caption);
-  for (const std::string& note : run.notes) LOG(WARNING) << note;
-  return run;
 }
 
 // Claims may speak of times too.
@@ -119,6 +92,7 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
   for (const auto& combination : result.combinations) {
     result.runs.push_back(read(with_overrides(root, combination)));
     make_solver(result.runs.back().deformation.solver);
+    check(result.runs.back().drag);
     read_edit(result.runs.back().edit);
   }
   return result;
@@ -161,7 +135,7 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
     for (const Override& o : combinations[i]) settings.settings.emplace_back(o.key, o.value);
     progress(i + 1, configs.size(), label(settings));
     const std::string caption = configs.size() > 1 ? label(settings) : "deformed";
-    outcome.runs.push_back(run_once(configs[i], path.parent_path(), caption, i == 0, pictures));
+    outcome.runs.push_back(run_shape(configs[i], path.parent_path(), caption, i == 0, pictures));
     outcome.runs.back().measured.settings = settings.settings;
   }
   const std::vector<MeasuredRun> measured = with_seconds(outcome.runs);

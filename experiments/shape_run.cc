@@ -1,0 +1,35 @@
+#include "experiments/shape_run.h"
+
+#include <glog/logging.h>
+
+#include "experiments/drag.h"
+
+namespace deformlab {
+
+Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folder,
+              const std::string& caption, bool first, PictureBook& pictures) {
+  const Shape rest = make_shape(config.shape, folder);
+  const ResolvedEdit edit = resolve(read_edit(config.edit), rest);
+  EmbeddedDeformation deformer(rest, config.deformation);
+  deformer.compile(edit.handles);
+  const auto [report, metrics, seconds] = drag(deformer, rest, edit, config.drag);
+  Run run;
+  run.solve = report.solve;
+  run.notes = report.notes;
+  run.seconds = seconds_of(report);
+  run.seconds.insert(seconds.begin(), seconds.end());
+  run.measured.metrics = metrics_of(report);
+  run.measured.metrics.insert(metrics.begin(), metrics.end());
+  const double size = bounding_box_diagonal(rest.V);
+  run.measured.metrics["vertices"] = static_cast<double>(rest.V.cols());
+  run.measured.metrics["handles"] = static_cast<double>(edit.handles.targets());
+  run.measured.metrics["handle_rms_relative"] = size > 0 ? report.handle_rms / size : 0;
+  run.measured.metrics.merge(distortion(rest, deformer.deformed()));
+  run.measured.metrics.merge(node_shear(deformer.transformations()));
+  if (first) pictures.add_rest(deformer, rest, edit);
+  pictures.add_deformed(deformer, edit, caption);
+  for (const std::string& note : run.notes) LOG(WARNING) << note;
+  return run;
+}
+
+}  // namespace deformlab
