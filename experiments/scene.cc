@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "experiments/resample.h"
 #include "geometry/error.h"
 #include "geometry/shape_io.h"
 
@@ -58,9 +59,11 @@ Shape make_plane(const ShapeOptions& o) {
 }
 
 Shape make_shape(const ShapeOptions& options, const fs::path& folder) {
-  if (!options.file.empty()) return read_shape(find_shape(options.file, folder));
-  Shape shape = make_plane(options);
+  Shape shape =
+      options.file.empty() ? make_plane(options) : read_shape(find_shape(options.file, folder));
   check(shape, "the plane that `shape` describes");
+  if (options.vertices != 0) shape = resampled(shape, options.vertices);
+  if (options.scan.views != 0) shape = range_scan(shape, options.scan);
   return shape;
 }
 

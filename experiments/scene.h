@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "experiments/range_scan.h"
 #include "geometry/shape.h"
 
 namespace deformlab {
@@ -16,6 +17,8 @@ struct ShapeOptions {
   double depth = 1;        ///< [length]
   int bumps = 0;           ///< periods of z = bump_height sin sin along each side
   double bump_height = 0;  ///< [length]
+  int vertices = 0;        ///< the mesh is subdivided or simplified to so many; 0: it is not
+  RangeScanOptions scan;   ///< what a scanner makes of it
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -28,6 +31,8 @@ struct ShapeOptions {
     visit("depth", o.depth, "its extent along y");
     visit("bumps", o.bumps, "periods of its bumps along each side");
     visit("bump_height", o.bump_height, "their amplitude along z");
+    visit("vertices", o.vertices, "the mesh is subdivided or simplified to so many; 0: it is not");
+    visit("scan", o.scan, "range scans of it, unmerged, in its place");
   }
 };
 
