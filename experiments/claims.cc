@@ -25,20 +25,25 @@ bool matches(const MeasuredRun& run, const ConfigNode& filter) {
   });
 }
 
-double metric(const Metrics& metrics, const Claim& claim) {
-  const auto found = metrics.find(claim.measure);
+double metric(const Metrics& metrics, const Claim& claim, const std::string& measure) {
+  const auto found = metrics.find(measure);
   if (found != metrics.end()) return found->second;
   std::vector<std::string> known;
   for (const auto& [name, value] : metrics) known.push_back(name);
-  throw InputError("claim '" + claim.name + "': unknown measure " + quote(claim.measure) + "; " +
-                   known_names(claim.measure, known));
+  throw InputError("claim '" + claim.name + "': unknown measure " + quote(measure) + "; " +
+                   known_names(measure, known));
+}
+
+double measure(const Metrics& metrics, const Claim& claim) {
+  const double value = metric(metrics, claim, claim.measure);
+  return claim.per.empty() ? value : value / metric(metrics, claim, claim.per);
 }
 
 std::vector<double> values(const Claim& claim, const ConfigNode& filter,
                            const std::vector<MeasuredRun>& runs) {
   std::vector<double> result;
   for (const MeasuredRun& run : runs) {
-    if (matches(run, filter)) result.push_back(metric(run.metrics, claim));
+    if (matches(run, filter)) result.push_back(measure(run.metrics, claim));
   }
   if (result.empty()) {
     throw InputError("claim '" + claim.name + "': no run has " + to_yaml_line(filter));
@@ -50,6 +55,22 @@ double mean(const std::vector<double>& v) {
   double sum = 0;
   for (const double x : v) sum += x;
   return sum / static_cast<double>(v.size());
+}
+
+// The slope of log(measure) over log(against), by least squares.
+double exponent(const Claim& claim, const std::vector<MeasuredRun>& runs) {
+  std::vector<double> x, y;
+  for (const MeasuredRun& run : runs) {
+    if (!matches(run, claim.where)) continue;
+    x.push_back(std::log(metric(run.metrics, claim, claim.against)));
+    y.push_back(std::log(measure(run.metrics, claim)));
+  }
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean(x)) * (x[i] - mean(x));
+    xy += (x[i] - mean(x)) * (y[i] - mean(y));
+  }
+  return xy / xx;
 }
 
 // How far beyond what is allowed; the largest is the worst.
@@ -68,9 +89,10 @@ double measured(const Claim& claim, const std::vector<MeasuredRun>& runs) {
   const std::vector<double> v = values(claim, claim.where, runs);
   if (!claim.versus.children.empty()) return mean(v) / mean(values(claim, claim.versus, runs));
   if (claim.over == "mean") return mean(v);
-  if (claim.over == "spread") {
+  if (claim.over == "exponent") return exponent(claim, runs);
+  if (claim.over == "spread" || claim.over == "range") {
     const auto [low, high] = std::minmax_element(v.begin(), v.end());
-    return (*high - *low) / std::abs(mean(v));
+    return (*high - *low) / (claim.over == "range" ? 1 : std::abs(mean(v)));
   }
   return *std::max_element(v.begin(), v.end(),
                            [&](double a, double b) { return excess(claim, a) < excess(claim, b); });
@@ -101,6 +123,9 @@ void check_form(const Claim& claim) {
   const std::string whose = "claim '" + claim.name + "'";
   if (!claim.at_least && !claim.at_most && !claim.equals) {
     throw InputError(whose + " expects nothing: give at_least, at_most or equals");
+  }
+  if ((claim.over == "exponent") == claim.against.empty()) {
+    throw InputError(whose + ": 'over: exponent' needs 'against', and nothing else does");
   }
   if (claim.within < 0) {
     throw InputError(whose + ": within is " + number(claim.within) + "; it is 0 or more");

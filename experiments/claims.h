@@ -14,7 +14,7 @@ namespace deformlab {
 struct Claim {
   std::string name;
   std::string says;
-  std::string measure;
+  std::string measure, per, against;
   ConfigNode where, versus;
   std::string over = "worst";
   std::optional<double> at_least, at_most, equals;
@@ -26,10 +26,13 @@ struct Claim {
     visit.required("name", o.name, "what the claim is called");
     visit("says", o.says, "the statement, quoted from the paper where it is the paper's");
     visit.required("measure", o.measure, "name of a metric");
+    visit("per", o.per, "another metric of the same run, by which it is divided");
     visit("where", o.where, "the runs of a sweep that it speaks of: dotted keys and their values");
     visit("versus", o.versus, "other runs: what is measured is then the ratio of the two means");
-    visit.choice("over", o.over, {"worst", "mean", "spread"},
-                 "several runs: the worst of them, their mean, or (max − min) / |mean|");
+    visit.choice("over", o.over, {"worst", "mean", "spread", "range", "exponent"},
+                 "several runs: the worst of them, their mean, (max − min) / |mean|, max − min, or "
+                 "the p with which it grows as (another metric)ᵖ");
+    visit("against", o.against, "exponent: the other metric");
     visit("at_least", o.at_least, "smallest value that is expected");
     visit("at_most", o.at_most, "largest value that is expected");
     visit("equals", o.equals, "value that is expected, up to `within`");
