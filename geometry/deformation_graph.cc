@@ -16,10 +16,10 @@ struct Overlap {
 };
 
 // Every pair of nodes that share a vertex, once for each such vertex.
-std::vector<Overlap> overlaps(const Embedding& e) {
+std::vector<Overlap> overlaps(const Embedding& e, std::span<const int> followed) {
   std::vector<Overlap> pairs;
-  const Eigen::Index k = e.nodes.rows();
   for (Eigen::Index i = 0; i < e.nodes.cols(); ++i) {
+    const Eigen::Index k = followed.empty() ? e.nodes.rows() : followed[i];
     for (Eigen::Index a = 0; a < k; ++a) {
       for (Eigen::Index b = a + 1; b < k; ++b) {
         const auto [lo, hi] = std::minmax({e.nodes(a, i), e.nodes(b, i)});
@@ -45,12 +45,12 @@ int find_root(std::vector<int>& parent, int j) {
 }  // namespace
 
 DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
-                         const std::string& alpha) {
+                         const std::string& alpha, std::span<const int> followed) {
   if (alpha != "uniform" && alpha != "overlap") {
     throw InputError("unknown graph.alpha '" + alpha + "'; known: uniform, overlap");
   }
   DeformationGraph graph{g, {}};
-  for (const Overlap& o : overlaps(embedding)) {
+  for (const Overlap& o : overlaps(embedding, followed)) {
     if (graph.edges.empty() || graph.edges.back().j != o.j || graph.edges.back().k != o.k) {
       graph.edges.push_back({o.j, o.k, 0});
     }

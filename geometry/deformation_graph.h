@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,9 +41,10 @@ struct DeformationGraph {
 };
 
 /// Joins every two of the nodes `g` (3×m) that influence a common point of `embedding`, and weighs
-/// the edges as `alpha` says: "uniform", or "overlap" for Σ_i w_j(v_i) w_k(v_i).
+/// the edges as `alpha` says: "uniform", or "overlap" for Σ_i w_j(v_i) w_k(v_i). Where some points
+/// follow fewer nodes than there are rows, `followed` says of each point how many of them count.
 DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
-                         const std::string& alpha = "uniform");
+                         const std::string& alpha = "uniform", std::span<const int> followed = {});
 
 /// Mean length of an edge [length]; without edges the diagonal of the nodes' bounding box, and for
 /// a single point 1: the unit that E_reg and E_con are measured in by default.

@@ -8,9 +8,7 @@
 #include "geometry/error.h"
 
 namespace deformlab {
-namespace {
 
-// In place: distances to the k+1 nearest nodes become the k weights of Eq. 4.
 void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k) {
   const double d_max = distances[k];
   auto w = distances.head(k);
@@ -22,8 +20,6 @@ void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k) {
     w.setConstant(1.0 / k);
   }
 }
-
-}  // namespace
 
 Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   if (g.cols() == 0) throw InputError("a deformation graph without nodes can deform nothing");

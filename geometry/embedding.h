@@ -16,6 +16,10 @@ struct Embedding {
   Eigen::MatrixXd weights;  ///< k×n weights w_j(v_i), each column ≥ 0 and of sum one
 };
 
+/// Eq. 4 for one point, in place: its distances to the k+1 nearest nodes, nearest first [length],
+/// become the k weights and an entry without meaning.
+void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k);
+
 /// Sumner et al. 2007, Eq. 4: w_j(v) = (1 − ‖v − g_j‖/d_max)², normalised, d_max the distance to
 /// node k+1.
 ///   v  3×n points, g  3×m node positions [length], k ≥ 1 nodes for each point.
