@@ -1,8 +1,11 @@
 #pragma once
 
 #include "energies/constraint.h"
+#include "energies/edge_fit.h"
+#include "energies/fitting.h"
 #include "energies/regularization.h"
 #include "energies/rotation.h"
+#include "energies/similarity.h"
 
 namespace deformlab {
 
@@ -13,5 +16,8 @@ struct TermList {};
 /// here has a weight in configs, both solvers, a column in results and every law test.
 template <int d>
 using GraphTerms = TermList<Rotation<d>, Regularization<d>, Constraint<d>>;
+
+/// The terms over a triangulation of the plane, held to the same laws; rigid_shape minimises them.
+using TriangleTerms = TermList<Similarity, Fitting, EdgeFit>;
 
 }  // namespace deformlab
