@@ -72,7 +72,19 @@ struct Locator::Tree {
   std::vector<Corners> triangles;
   double rounding;  // distances up to this are taken for 0 [length]
   bg::index::rtree<Entry, bg::index::rstar<8>> boxes;
+
+  void try_triangle(int t, const Eigen::Vector2d& point, Located& best) const;
 };
+
+void Locator::Tree::try_triangle(int t, const Eigen::Vector2d& point, Located& best) const {
+  const Eigen::Vector3d b = nearest_inside(triangles[t], point);
+  const Eigen::Vector2d nearest = triangles[t] * b;
+  double distance = (nearest - point).norm();
+  if (distance <= rounding) distance = 0;
+  const bool first = t < best.triangle;  // of several that share the place
+  if (distance > best.distance || (distance == best.distance && !first)) return;
+  best = {t, b, distance == 0 ? point : nearest, distance};
+}
 
 Locator::Locator(const Triangulation& mesh) : tree_(std::make_unique<Tree>()) {
   if (mesh.F.cols() == 0) throw InputError("there is no triangle to find a place in");
@@ -94,20 +106,18 @@ Located Locator::operator()(const Eigen::Vector2d& point) const {
     what << "a place is (" << point[0] << ", " << point[1] << "); both numbers must be finite";
     throw InputError(what.str());
   }
-  Located result{-1, {}, {}, std::numeric_limits<double>::infinity()};
   const Point query(point[0], point[1]);
-  // Boxes come in the order of their distance: none after one farther than a triangle is nearer.
-  const auto& boxes = tree_->boxes;
-  for (auto it = boxes.qbegin(bg::index::nearest(query, static_cast<unsigned>(boxes.size())));
-       it != boxes.qend() && bg::distance(query, it->first) <= result.distance; ++it) {
-    const Corners& triangle = tree_->triangles[it->second];
-    const Eigen::Vector3d b = nearest_inside(triangle, point);
-    const Eigen::Vector2d nearest = triangle * b;
-    double distance = (nearest - point).norm();
-    if (distance <= tree_->rounding) distance = 0;
-    const bool first = it->second < result.triangle;  // of several that share the place
-    if (distance > result.distance || (distance == result.distance && !first)) continue;
-    result = {it->second, b, distance == 0 ? point : nearest, distance};
+  Located result{-1, {}, {}, std::numeric_limits<double>::infinity()};
+  std::vector<Entry> near;
+  double reach = 0;  // no box but those in `near` is nearer
+  for (unsigned count = 8; reach <= result.distance && near.size() < tree_->boxes.size();
+       count *= 4) {
+    near.clear();
+    tree_->boxes.query(bg::index::nearest(query, count), std::back_inserter(near));
+    for (const auto& [box, triangle] : near) {
+      tree_->try_triangle(triangle, point, result);
+      reach = std::max(reach, bg::distance(query, box));
+    }
   }
   return result;
 }

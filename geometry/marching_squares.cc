@@ -60,9 +60,12 @@ class MarchingSquares {
   }
 
   void read_column(Index i) {
-    for (Index j = 0; j < y_.samples(); ++j) {
-      const bool beyond = x_.beyond(i) || y_.beyond(j);
-      right_[j] = beyond ? threshold_ - 1 : field_(y_.entry(j), x_.entry(i));
+    const float beyond = threshold_ - 1;
+    if (x_.beyond(i)) {
+      right_.setConstant(beyond);
+    } else {
+      const auto column = field_.col(x_.entry(i));
+      right_ << beyond, column[0], column, column[y_.n - 1], beyond;
     }
     Index last = kNone;
     for (Index j = 0; j + 1 < y_.samples(); ++j) {
@@ -81,18 +84,20 @@ class MarchingSquares {
   }
 
   Index cross(Index i, Index j) {
-    if (inside(left_[j]) == inside(right_[j])) return kNone;
     const double t = fraction(left_[j], right_[j]);
     return add({(1 - t) * x_.place(i) + t * x_.place(i + 1), y_.place(j)}, kAcross);
   }
 
   // The squares between two columns.
   void connect(Index i) {
-    Index top = cross(i, 0);
+    Index top = kNone;  // the uppermost samples are all beyond the border
     for (Index j = 0; j + 1 < y_.samples(); ++j) {
-      const std::array<float, 4> corner{left_[j], right_[j], right_[j + 1], left_[j + 1]};
-      const Index bottom = cross(i, j + 1);
-      connect(corner, {top, right_crossings_[j], bottom, left_crossings_[j]});
+      const bool crossed = inside(left_[j + 1]) != inside(right_[j + 1]);
+      const Index bottom = crossed ? cross(i, j + 1) : kNone;
+      const std::array<Index, 4> side{top, right_crossings_[j], bottom, left_crossings_[j]};
+      if (side != std::array{kNone, kNone, kNone, kNone}) {
+        connect({left_[j], right_[j], right_[j + 1], left_[j + 1]}, side);
+      }
       top = bottom;
     }
   }
@@ -127,12 +132,12 @@ class MarchingSquares {
   const Eigen::ArrayXXf& field_;
   float threshold_;
   Axis x_, y_;
-  std::vector<float> left_, right_;  // samples on either side of the squares at hand
+  Eigen::ArrayXf left_, right_;  // samples on either side of the squares at hand
   std::vector<Index> left_crossings_, right_crossings_;
   std::vector<Crossing> crossings_;
 };
 
-// A closed walk along crossings, without corners that repeat or lie on a straight line.
+// The closed walks along crossings, without corners that repeat or lie on a straight line.
 class Loops {
  public:
   explicit Loops(std::vector<Crossing> crossings)

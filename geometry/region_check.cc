@@ -1,9 +1,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -55,6 +54,7 @@ class Polygons {
     Index corner;
     friend auto operator<=>(const Edge&, const Edge&) = default;
   };
+  using PolygonBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
   using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Edge*>;
 
   static std::string called(int polygon) {
@@ -157,29 +157,26 @@ void Polygons::check_crossings() const {
   reject(name_, what + "; polygons may neither cross nor touch themselves or each other");
 }
 
-// A ray in direction y from a corner of each hole crosses the polygons around it an odd number of
-// times.
+// As no edges meet, a hole is where one of its corners is.
 void Polygons::check_nesting() const {
-  std::vector<Edge> rays;
-  std::vector<Box> ray_boxes;
-  for (int h = 1; h < static_cast<int>(polygons_.size()); ++h) rays.push_back({h, 0});
-  for (const Edge& ray : rays) {
-    const Point from = segment(ray).source();
-    const double far = std::numeric_limits<double>::max();
-    ray_boxes.emplace_back(CGAL::Bbox_2(from.x(), from.y(), from.x(), far), &ray);
+  std::vector<std::vector<Point>> corners(polygons_.size());
+  std::vector<PolygonBox> first_corners, extents;
+  for (int p = 0; p < static_cast<int>(polygons_.size()); ++p) {
+    for (Index i = 0; i < polygons_[p].cols(); ++i) corners[p].push_back(at(polygons_[p], i));
+    extents.emplace_back(CGAL::bbox_2(corners[p].begin(), corners[p].end()), p);
+    if (p > 0) first_corners.emplace_back(corners[p][0].bbox(), p);
   }
-  const std::vector<Edge> all = edges();
-  std::vector<Box> boxed = boxes(all);
   std::vector<std::set<int>> around(polygons_.size());
-  const auto cross = [&](const Box& ray, const Box& box) {
-    const Point p = segment(*ray.handle()).source();
-    Point a = segment(*box.handle()).source(), b = segment(*box.handle()).target();
-    if (a.x() > b.x()) std::swap(a, b);
-    const int hole = ray.handle()->polygon, other = box.handle()->polygon;
-    if (hole == other || a.x() > p.x() || b.x() <= p.x() || !CGAL::right_turn(a, b, p)) return;
-    if (!around[hole].insert(other).second) around[hole].erase(other);
+  const auto test = [&](const PolygonBox& corner, const PolygonBox& extent) {
+    const int hole = corner.info(), other = extent.info();
+    const auto& polygon = corners[other];
+    if (hole == other || CGAL::bounded_side_2(polygon.begin(), polygon.end(), corners[hole][0],
+                                              Kernel()) != CGAL::ON_BOUNDED_SIDE)
+      return;
+    around[hole].insert(other);
   };
-  CGAL::box_intersection_d(ray_boxes.begin(), ray_boxes.end(), boxed.begin(), boxed.end(), cross);
+  CGAL::box_intersection_d(first_corners.begin(), first_corners.end(), extents.begin(),
+                           extents.end(), test);
   for (int h = 1; h < static_cast<int>(polygons_.size()); ++h) {
     if (!around[h].contains(0)) reject(name_, called(h) + " is not inside the outline");
     if (around[h].size() == 1) continue;
