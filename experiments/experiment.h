@@ -8,6 +8,7 @@
 #include "experiments/claims.h"
 #include "experiments/config_node.h"
 #include "experiments/drag.h"
+#include "experiments/probes.h"
 #include "experiments/scene.h"
 
 namespace deformlab {
@@ -47,6 +48,7 @@ struct ExperimentConfig {
   EmbeddedDeformationOptions deformation;
   ConfigNode edit;
   DragOptions drag;
+  MeasureOptions measure;
   PictureOptions picture;
   ConfigNode sweep;
   std::vector<Claim> claims;
@@ -59,6 +61,7 @@ struct ExperimentConfig {
     EmbeddedDeformationOptions::fields(o.deformation, visit);
     visit.required("edit", o.edit, "list of selections and what happens to them");
     visit("drag", o.drag, "in how many updates the handles reach their targets");
+    visit("measure", o.measure, "what is measured beyond what every run measures");
     visit("picture", o.picture, "how it is drawn");
     visit("sweep", o.sweep, "dotted keys and lists of values: every combination is run");
     visit("claims", o.claims, "what the measurements must show");

@@ -93,6 +93,7 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
     result.runs.push_back(read(with_overrides(root, combination)));
     make_solver(result.runs.back().deformation.solver);
     check(result.runs.back().drag);
+    check(result.runs.back().measure);
     read_edit(result.runs.back().edit);
   }
   return result;

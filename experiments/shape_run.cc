@@ -2,9 +2,23 @@
 
 #include <glog/logging.h>
 
+#include "experiments/detail.h"
 #include "experiments/drag.h"
 
 namespace deformlab {
+namespace {
+
+std::vector<int> nearest_vertices(const Shape& shape, const Eigen::Matrix3Xd& places) {
+  std::vector<int> result;
+  for (const auto p : places.colwise()) {
+    Eigen::Index nearest = 0;
+    (shape.V.colwise() - p).colwise().squaredNorm().minCoeff(&nearest);
+    result.push_back(static_cast<int>(nearest));
+  }
+  return result;
+}
+
+}  // namespace
 
 Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folder,
               const std::string& caption, bool first, PictureBook& pictures) {
@@ -25,6 +39,12 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
   run.measured.metrics["handles"] = static_cast<double>(edit.handles.targets());
   run.measured.metrics["handle_rms_relative"] = size > 0 ? report.handle_rms / size : 0;
   run.measured.metrics.merge(distortion(rest, deformer.deformed()));
+  if (config.measure.detail > 0) {
+    run.measured.metrics.merge(detail(rest, deformer.deformed(), config.measure.detail));
+  }
+  const std::vector<int> probes = nearest_vertices(rest, read_probes(config.measure.probes, 3));
+  const Eigen::Matrix3Xd way = (deformer.deformed().V - rest.V)(Eigen::all, probes);
+  run.measured.metrics.merge(probe_metrics(way, size));
   run.measured.metrics.merge(node_shear(deformer.transformations()));
   if (first) pictures.add_rest(deformer, rest, edit);
   pictures.add_deformed(deformer, edit, caption);

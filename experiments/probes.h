@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "experiments/config_node.h"
+#include "experiments/measurements.h"
+
+namespace deformlab {
+
+/// What is measured beyond what every run measures.
+struct MeasureOptions {
+  double detail = 0;
+  ConfigNode probes;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("detail", o.detail,
+          "surface below this part of the diagonal is detail, and how it survives is measured; "
+          "0: it is not");
+    visit("probes", o.probes, "places at rest whose way is measured: a list of coordinates");
+  }
+};
+
+/// Throws InputError for options out of range.
+void check(const MeasureOptions& options);
+
+/// The places of a list of coordinates, 3×n; with d = 2 each has two. Throws InputError where it is
+/// no such list.
+Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d);
+
+/// probe_1_x, probe_1_y, probe_1_z, …: how far each probe went (3×n), in units of `size`.
+Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size);
+
+}  // namespace deformlab
