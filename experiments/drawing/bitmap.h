@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace deformlab {
+
+/// Pixels with straight (not premultiplied) sRGB colour and alpha, rows from the top down;
+/// transparent when made.
+struct Bitmap {
+  Bitmap() = default;
+  /// Throws InputError where a side is outside 1..kLargestSide or there are over kMostPixels.
+  Bitmap(int width, int height);
+
+  std::uint8_t* pixel(int x, int y) { return rgba.data() + offset(x, y); }
+  const std::uint8_t* pixel(int x, int y) const { return rgba.data() + offset(x, y); }
+
+  int width = 0, height = 0;       ///< [pixel]
+  std::vector<std::uint8_t> rgba;  ///< four bytes a pixel
+
+  static constexpr int kLargestSide = 32767;       ///< [pixel]
+  static constexpr int kMostPixels = 100'000'000;  ///< 400 MB
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x));
+  }
+};
+
+/// What makes a picture of that size impossible, or nothing: `100000×1 pixels: each side …`.
+std::string size_problem(double width, double height);
+
+/// H×W opacity, 0 … 1.
+Eigen::ArrayXXf alpha_of(const Bitmap& bitmap);
+
+/// A PNG of any colour type, depth and interlacing; 16 bits are rounded to 8. Throws InputError
+/// where it cannot be read whole, or is larger than a Bitmap may be.
+Bitmap read_png(const std::filesystem::path& path);
+
+/// Writes a PNG with alpha, whole or not at all. Throws InputError where the path cannot be
+/// written.
+void write_png(const Bitmap& bitmap, const std::filesystem::path& path);
+
+}  // namespace deformlab
