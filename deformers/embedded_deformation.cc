@@ -11,7 +11,6 @@
 #include "deformers/hold.h"
 #include "energies/catalog.h"
 #include "geometry/error.h"
-#include "geometry/sampling.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -87,47 +86,32 @@ void check_disjoint(const Handles& handles) {
 
 }  // namespace
 
-EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options)
+EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
+                                         std::span<const Cut> cuts)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
   check_energies(options_.energies);
   check_dimension(options_.dimension, rest_);
-  Eigen::Matrix3Xd nodes;
-  {
-    Stopwatch watch(seconds_["sample"]);
-    nodes = sample_nodes(rest_, options_.graph.nodes, options_.graph.seed);
-  }
-  register_shape(nodes);
+  register_graph(build_graph(rest_, options_.graph, cuts));
 }
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nodes,
-                                         const EmbeddedDeformationOptions& options)
+                                         const EmbeddedDeformationOptions& options,
+                                         std::span<const Cut> cuts)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
   check_energies(options_.energies);
   check_dimension(options_.dimension, rest_);
-  register_shape(nodes);
+  register_graph(build_graph(rest_, nodes, options_.graph, cuts));
 }
 
-void EmbeddedDeformation::register_shape(const Eigen::Matrix3Xd& nodes) {
-  {
-    Stopwatch watch(seconds_["embed"]);
-    embedding_ = embed(rest_.V, nodes, options_.graph.neighbors);
-  }
-  {
-    Stopwatch watch(seconds_["connect"]);
-    graph_ = connect(nodes, embedding_, options_.graph.alpha);
-  }
-  if (embedding_.nodes.rows() < options_.graph.neighbors) {
-    registration_notes_.push_back("the graph has " + std::to_string(nodes.cols()) +
-                                  " nodes, fewer than graph.neighbors + 1: " +
-                                  "each vertex follows " + std::to_string(embedding_.nodes.rows()));
-  }
-  if (nodes.cols() > rest_.V.cols()) {
-    registration_notes_.push_back("the graph has " + std::to_string(nodes.cols()) + " nodes for " +
-                                  std::to_string(rest_.V.cols()) +
-                                  " vertices: nodes that no vertex follows do nothing; use fewer");
-  }
+void EmbeddedDeformation::register_graph(BuiltGraph built) {
+  graph_ = std::move(built.graph);
+  embedding_ = std::move(built.embedding);
+  node_vertices_ = std::move(built.node_vertices);
+  in_space_ = built.in_space;
+  registration_notes_ = std::move(built.notes);
+  seconds_ = std::move(built.seconds);
   unit_ = deformlab::length_unit(options_.length_unit, graph_);
-  const int m = static_cast<int>(nodes.cols());
+  const int m = static_cast<int>(graph_.g.cols());
   stage_.x = Unknowns::uniform(rest_unknowns(m), m);
   stage_.fixed.assign(m, 0);
   deformed_ = rest_;
@@ -183,7 +167,8 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   fixed_ = handles.fixed;
   points_ = handles.points.cols();
   handles_ = joined(subset(embedding_, handles.moved),
-                    embed(handles.points, graph_.g, options_.graph.neighbors));
+                    in_space_ ? embed(handles.points, graph_.g, options_.graph.neighbors)
+                              : embed_at_vertices(handles.points, embedding_));
   fix_nodes(handles);
   Holds holds =
       hold_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), stage_.fixed);

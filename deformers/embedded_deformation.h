@@ -2,11 +2,13 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "deformers/deformer.h"
 #include "deformers/hold.h"
 #include "geometry/deformation_graph.h"
+#include "geometry/graph_build.h"
 #include "geometry/transfer.h"
 #include "solvers/solver.h"
 
@@ -38,11 +40,13 @@ struct EmbeddedDeformationOptions {
 /// Embedded Deformation for Shape Manipulation (Sumner, Schmid, Pauly 2007).
 class EmbeddedDeformation final : public Deformer {
  public:
-  /// Samples the graph. Throws InputError for options out of range.
-  EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options);
+  /// Builds the graph; `cuts` are parts that must not pull at each other. Throws InputError for
+  /// options and cuts out of range, or that do not fit the shape.
+  EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
+                      std::span<const Cut> cuts = {});
   /// Takes a graph whose nodes are already placed (3×m) [length].
   EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nodes,
-                      const EmbeddedDeformationOptions& options);
+                      const EmbeddedDeformationOptions& options, std::span<const Cut> cuts = {});
 
   void compile(const Handles& handles) override;
   Report update(const Eigen::Matrix3Xd& targets) override;
@@ -50,14 +54,16 @@ class EmbeddedDeformation final : public Deformer {
   void reset() override;
 
   const DeformationGraph& graph() const { return graph_; }  ///< at rest [length]
-  Transformations transformations() const;                  ///< 3×4m, t_j [length]
+  /// The vertex that each node sits on, or as BuiltGraph says.
+  const std::vector<int>& node_vertices() const { return node_vertices_; }
+  Transformations transformations() const;  ///< 3×4m, t_j [length]
   /// Where the transformations X (3×4m) take the handles that need be no vertices, 3×p [length].
   Eigen::Matrix3Xd points(const Transformations& X) const;
   const Stage& stage() const { return stage_; }  ///< d×(d+1)m, in length_unit()s
   double length_unit() const { return unit_; }
 
  private:
-  void register_shape(const Eigen::Matrix3Xd& nodes);
+  void register_graph(BuiltGraph built);
   Eigen::MatrixXd rest_unknowns(int m) const;
   void fix_nodes(const Handles& handles);
   void carry_along(const Eigen::Matrix3Xd& targets);
@@ -70,6 +76,8 @@ class EmbeddedDeformation final : public Deformer {
   std::vector<int> fixed_;         // vertices
   Eigen::Index points_ = 0;        // the last columns of handles_ are no vertices
   DeformationGraph graph_;
+  std::vector<int> node_vertices_;
+  bool in_space_ = true;  // any place can be embedded by itself
   double unit_ = 1;
   Stage stage_;
   std::vector<PointHeld> at_one_point_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,14 +14,32 @@ namespace deformlab {
 
 /// How a deformation graph is made (Sumner et al. 2007, section 3).
 struct GraphOptions {
-  int nodes = 300;                ///< m, met exactly
+  /// Where the nodes are: spread by `sampling`; those vertices that remain of a mesh after its
+  /// `simplification`; a regular `grid` over a flat shape (Figure 5); given in a `file`.
+  std::string method = "sampling";
+  int nodes = 300;             ///< m, met exactly; a file has its own
+  std::filesystem::path file;  ///< of nodes and edges, an OBJ of v and l lines
+  double aspect_ratio = 3;     ///< of simplification: circumradius over twice the inradius, at most
+  /// How far a node is from a vertex: straight (`euclidean`, the paper's), along the surface of a
+  /// manifold mesh (`geodesic`, by the heat method), or along the edges of any mesh (`edge_paths`,
+  /// which is many times faster on large ones).
+  std::string distance = "euclidean";
   int neighbors = 4;              ///< k of Eq. 4; the paper uses 4, and 8 in Figure 5 (d)
   std::string alpha = "uniform";  ///< α_jk of Eq. 7: uniform (1, the paper's) | overlap
   std::uint64_t seed = 1;         ///< of the sampling: another seed draws other nodes
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
+    visit.choice("method", o.method, {"sampling", "simplification", "grid", "file"},
+                 "how nodes are placed: spread over the shape, by simplifying a mesh, on a regular "
+                 "grid over a flat shape, or by hand");
     visit("nodes", o.nodes, "number of graph nodes m, met exactly");
+    visit("file", o.file, "a graph made by hand: an OBJ file of v and l lines");
+    visit("aspect_ratio", o.aspect_ratio,
+          "of the triangles of a simplification at most; 1 is equilateral");
+    visit.choice("distance", o.distance, {"euclidean", "geodesic", "edge_paths"},
+                 "of nodes and vertices: straight, along the surface of a manifold mesh, or along "
+                 "the edges of any mesh (faster)");
     visit("neighbors", o.neighbors, "nodes that each vertex follows, k of Eq. 4");
     visit.choice("alpha", o.alpha, {"uniform", "overlap"},
                  "weight of an edge in Eq. 7: 1, or in proportion to the overlap of influence");

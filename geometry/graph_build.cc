@@ -1,0 +1,182 @@
+#include "geometry/graph_build.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "geometry/error.h"
+#include "geometry/graph_file.h"
+#include "geometry/graph_grid.h"
+#include "geometry/graph_simplification.h"
+#include "geometry/graph_vertices.h"
+#include "geometry/sampling.h"
+
+namespace deformlab {
+namespace {
+
+template <class Action>
+auto timed(double& seconds, Action&& action) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = action();
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+// Nodes, the vertices that they sit on where they do, and the edges of a graph made by hand.
+struct Placed {
+  Eigen::Matrix3Xd g;
+  std::vector<int> vertices{};
+  std::optional<std::vector<GraphEdge>> edges{};
+};
+
+void check_file(const GraphOptions& options) {
+  const bool by_hand = options.method == "file";
+  if (by_hand && options.file.empty()) {
+    throw InputError("graph.method is file, but graph.file names none");
+  }
+  if (!by_hand && !options.file.empty()) {
+    throw InputError("graph.file is '" + options.file.string() + "', but graph.method is " +
+                     options.method + "; make it file, or leave the file out");
+  }
+}
+
+Placed place(const Shape& shape, const GraphOptions& options) {
+  check_file(options);
+  const auto at = [&](const std::vector<int>& vertices) {
+    return Placed{shape.V(Eigen::all, vertices), vertices};
+  };
+  if (options.method == "sampling") {
+    const Eigen::Matrix3Xd g = sample_nodes(shape, options.nodes, options.seed);
+    if (options.distance == "euclidean") return {g};
+    return at(distinct_nearest_vertices(g, shape.V));
+  }
+  if (options.method == "simplification") {
+    return at(simplify(shape, options.nodes, options.aspect_ratio).vertices);
+  }
+  if (options.method == "grid") return at(grid_nodes(shape, options.nodes));
+  if (options.method == "file") {
+    DeformationGraph graph = read_graph(options.file);
+    return {std::move(graph.g), {}, std::move(graph.edges)};
+  }
+  throw InputError("unknown graph.method '" + options.method +
+                   "'; known: sampling, simplification, grid, file");
+}
+
+// Lets the mean weight be one again, which leaving edges out may have changed.
+void normalize(std::vector<GraphEdge>& edges) {
+  double sum = 0;
+  for (const GraphEdge& edge : edges) sum += edge.alpha;
+  for (GraphEdge& edge : edges) edge.alpha = sum > 0 ? edge.alpha * edges.size() / sum : 1;
+}
+
+bool is_before(const GraphEdge& one, const GraphEdge& other) {
+  return std::pair(one.j, one.k) < std::pair(other.j, other.k);
+}
+
+// The edges made by hand, weighed as those of co-influence are: not at all where there is none.
+std::vector<GraphEdge> weighed(std::vector<GraphEdge> by_hand,
+                               const std::vector<GraphEdge>& by_influence) {
+  for (GraphEdge& edge : by_hand) {
+    const auto same = std::lower_bound(by_influence.begin(), by_influence.end(), edge, is_before);
+    edge.alpha = same != by_influence.end() && !is_before(edge, *same) ? same->alpha : 0;
+  }
+  return by_hand;
+}
+
+class Builder {
+ public:
+  Builder(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts)
+      : shape_(shape), options_(options), cuts_(cuts) {}
+
+  BuiltGraph run(const Placed& placed) {
+    VertexEmbedding embedded = timed(built_.seconds["embed"], [&] { return embed(placed); });
+    built_.in_space = embedded.followed.empty();
+    built_.graph = timed(built_.seconds["connect"], [&] { return join(placed, embedded); });
+    note(embedded);
+    built_.embedding = std::move(embedded.embedding);
+    return std::move(built_);
+  }
+
+ private:
+  VertexEmbedding embed(const Placed& placed) {
+    built_.node_vertices = placed.vertices;
+    const bool needed = !cuts_.empty() || options_.distance != "euclidean";
+    if (needed && placed.vertices.empty()) {
+      built_.node_vertices = nearest_vertices(placed.g, shape_.V);
+    }
+    groups_ = group(shape_.V.cols(), built_.node_vertices, cuts_);
+    return embed_vertices(shape_, placed.g, built_.node_vertices, groups_, options_);
+  }
+
+  DeformationGraph join(const Placed& placed, const VertexEmbedding& embedded) {
+    DeformationGraph graph =
+        connect(placed.g, embedded.embedding, options_.alpha, embedded.followed);
+    if (placed.edges) {
+      graph.edges =
+          options_.alpha == "overlap" ? weighed(*placed.edges, graph.edges) : *placed.edges;
+    }
+    if (!cuts_.empty()) cut(graph);
+    const bool changed = placed.edges || !cuts_.empty();
+    if (changed && options_.alpha == "overlap") normalize(graph.edges);
+    return graph;
+  }
+
+  void cut(DeformationGraph& graph) {
+    const int before = parts(graph);
+    std::erase_if(graph.edges, [&](const GraphEdge& edge) {
+      return groups_.apart[groups_.of_node[edge.j]][groups_.of_node[edge.k]];
+    });
+    if (parts(graph) == before) return;
+    built_.notes.push_back("the cuts leave the graph in " + std::to_string(parts(graph)) +
+                           " parts instead of " + std::to_string(before) +
+                           ": each moves only with handles of its own");
+  }
+
+  static int parts(const DeformationGraph& graph) {
+    return 1 + std::ranges::max(components(graph));
+  }
+
+  void note(const VertexEmbedding& embedded) {
+    const Eigen::Index m = built_.graph.g.cols(), k = embedded.embedding.nodes.rows();
+    if (k < options_.neighbors) {
+      built_.notes.push_back("the graph has " + std::to_string(m) +
+                             " nodes, fewer than graph.neighbors + 1: each vertex follows " +
+                             std::to_string(k));
+    }
+    if (m > shape_.V.cols()) {
+      built_.notes.push_back("the graph has " + std::to_string(m) + " nodes for " +
+                             std::to_string(shape_.V.cols()) +
+                             " vertices: nodes that no vertex follows do nothing; use fewer");
+    }
+    if (embedded.unreached > 0) {
+      built_.notes.push_back(
+          "vertices on parts of the surface where no node is, which follow the "
+          "nodes nearest in space: " +
+          std::to_string(embedded.unreached) + "; use more nodes");
+    }
+  }
+
+  const Shape& shape_;
+  const GraphOptions& options_;
+  std::span<const Cut> cuts_;
+  CutGroups groups_;
+  BuiltGraph built_;
+};
+
+}  // namespace
+
+BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts) {
+  double seconds = 0;
+  const Placed placed = timed(seconds, [&] { return place(shape, options); });
+  BuiltGraph built = Builder(shape, options, cuts).run(placed);
+  built.seconds["sample"] = seconds;
+  return built;
+}
+
+BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
+                       const GraphOptions& options, std::span<const Cut> cuts) {
+  return Builder(shape, options, cuts).run({nodes});
+}
+
+}  // namespace deformlab
