@@ -1,0 +1,72 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "deformers/baselines/spokes_and_rims.h"
+#include "deformers/deformer.h"
+
+namespace deformlab {
+
+/// What CGAL's as-rigid-as-possible deformation can be told.
+struct CgalArapOptions {
+  /// spokes_and_rims, CGAL's own default; original (Sorkine and Alexa 2007, negative weights taken
+  /// for 0); smooth_rotations (Levi and Gotsman 2015).
+  std::string variant = "spokes_and_rims";
+  int iterations = 100;  ///< at most
+  /// They end where one changes the energy by a smaller share.
+  double tolerance = 1e-4;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.choice("variant", o.variant, {"spokes_and_rims", "original", "smooth_rotations"},
+                 "the energy: CGAL's default, that of 2007, or that of 2015");
+    visit("iterations", o.iterations, "at most, each a local and a global step");
+    visit("tolerance", o.tolerance, "they end where one changes the energy by a smaller share");
+  }
+};
+
+/// As-rigid-as-possible surface deformation as CGAL has it (Surface_mesh_deformation). All vertices
+/// are in the region of interest, and those held are its control vertices.
+///
+/// The cost in reports is the energy of spokes and rims for every variant: what CGAL minimises is
+/// not accessible.
+class CgalArap final : public Deformer {
+ public:
+  /// Throws InputError for a shape that is no manifold triangle mesh, naming where it is not (other
+  /// polygons are cut into triangles), and for options out of range.
+  explicit CgalArap(Shape rest, const CgalArapOptions& options = {});
+  ~CgalArap() override;
+
+  /// Throws InputError as Deformer says, and for handles that are no vertices.
+  void compile(const Handles& handles) override;
+  Report update(const Eigen::Matrix3Xd& targets) override;
+  const Shape& deformed() const override { return deformed_; }
+  void reset() override;
+
+  class Engine;  ///< CGAL's class for one of the variants
+
+ private:
+  void register_shape();
+  std::vector<int> hold_free_parts();
+  void aim(const Eigen::Matrix3Xd& targets);
+  std::pair<Status, std::string> iterate(Summary& summary, SpokesAndRims& state);
+  void store(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& R);
+
+  CgalArapOptions options_;
+  Shape rest_, deformed_;
+  std::vector<int> vertices_, place_;  // those in triangles; of each vertex its place there, or −1
+  Eigen::Matrix3Xi T_;                 // 3×m places
+  Eigen::Matrix3Xd V_, W_;             // 3×n at rest and deformed, by place
+  std::unique_ptr<Engine> engine_;
+  Handles handles_;
+  int unknowns_ = 0;
+  bool solvable_ = true;
+  std::map<std::string, double> seconds_;
+  std::vector<std::string> registration_notes_, compilation_notes_;
+};
+
+}  // namespace deformlab

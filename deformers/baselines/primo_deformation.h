@@ -1,0 +1,89 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "deformers/baselines/prism_equations.h"
+#include "deformers/deformer.h"
+
+namespace deformlab {
+
+/// What PriMo can be told.
+struct PrimoOptions {
+  double height = 1;  ///< of the prisms [mean side of the triangles]: the higher, the stiffer
+  /// Of a pin, where the weight of a joint is about 1.
+  double handle_weight = 1000;
+  double epsilon = 1e-6;  ///< of the three conditions of Sumner et al. 2007, Eq. 12
+  int max_iterations = 100;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("height", o.height,
+          "of the prisms, in mean sides of the triangles; higher ones bend less");
+    visit("handle_weight", o.handle_weight,
+          "pull of a handle that has no whole triangle, beside the joints' of about 1");
+    visit("epsilon", o.epsilon, "steps end as in Eq. 12 of embedded deformation");
+    visit("max_iterations", o.max_iterations, "steps at most");
+  }
+};
+
+/// PriMo: Coupled Prisms for Intuitive Surface Modeling (Botsch, Pauly, Gross and Kobbelt 2006). A
+/// rigid prism stands on each triangle, neighbours are coupled by elastic joints, and a vertex is
+/// where the prisms around it have it on average. Needs triangles; they may form any surface.
+///
+/// The joints' energy is minimised by the paper's global shape matching: Gauss–Newton steps over
+/// velocities, each projected to rigid motions, halved until the energy falls. The paper's
+/// hierarchical multigrid solver and its local shape matching, which make large meshes interactive
+/// there, are not here: every step factorizes the whole system.
+///
+/// Handles prescribe the motion of prisms. Here they are vertices: a prism of three of them moves
+/// as their targets, fitted rigidly, and its vertices follow it alone. A handle without such a
+/// prism (a single vertex, a line of them) leaves the prisms around it free and pulls each at its
+/// corner.
+class PrimoDeformation final : public Deformer {
+ public:
+  /// Throws InputError for a shape without triangles and for options out of range.
+  explicit PrimoDeformation(Shape rest, const PrimoOptions& options = {});
+
+  /// Throws InputError as Deformer says, and for handles that are no vertices.
+  void compile(const Handles& handles) override;
+  /// Report: a node is a prism, an edge is a joint.
+  Report update(const Eigen::Matrix3Xd& targets) override;
+  const Shape& deformed() const override { return deformed_; }
+  void reset() override;
+
+  const PrismLayer& prisms() const { return prisms_; }      ///< in length_unit()s
+  const RigidMotions& motions() const { return motions_; }  ///< in length_unit()s
+  double length_unit() const { return unit_; }              ///< mean side of a triangle [length]
+
+ private:
+  struct PointHeld {
+    std::vector<int> prisms;
+    int pin;  // any: they are at one place
+  };
+
+  void choose_prescribed();
+  std::vector<Pin> make_pins() const;
+  std::vector<char> hold_free_parts(const std::vector<Pin>& pins);
+  void aim(const Eigen::Matrix3Xd& targets);
+  void carry_along();
+  void deform(const Eigen::Matrix3Xd& targets);
+
+  PrimoOptions options_;
+  Shape rest_, deformed_;
+  double unit_ = 1;
+  Eigen::Matrix3Xd V_;  // rest_.V in units
+  PrismLayer prisms_;
+  RigidMotions motions_;
+  Handles handles_;
+  std::vector<int> handle_of_;  // of each vertex the column of the targets, or −1
+  std::vector<char> prescribed_, on_prescribed_;  // of each prism, of each vertex
+  std::vector<PointHeld> at_one_point_;
+  std::unique_ptr<PrismEquations> equations_;
+  std::map<std::string, double> seconds_;
+  std::vector<std::string> registration_notes_, compilation_notes_;
+};
+
+}  // namespace deformlab
