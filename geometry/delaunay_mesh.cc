@@ -50,8 +50,8 @@ class Criteria : public CGAL::Delaunay_mesh_size_criteria_2<Delaunay> {
 
   struct Is_bad : Base::Is_bad {
     using Base::Is_bad::operator();
-    Is_bad(const Base::Is_bad& base, const Spacing& spacing, double scale)
-        : Base::Is_bad(base), spacing(&spacing), scale(scale) {}
+    Is_bad(const Base::Is_bad& base, const Spacing* lengths, double times)
+        : Base::Is_bad(base), spacing(lengths), scale(times) {}
 
     CGAL::Mesh_2::Face_badness operator()(const Delaunay::Face_handle& face, Quality& q) const {
       const Point center = CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(),
@@ -62,7 +62,7 @@ class Criteria : public CGAL::Delaunay_mesh_size_criteria_2<Delaunay> {
     const Spacing* spacing;
     double scale;
   };
-  Is_bad is_bad_object() const { return {Base::is_bad_object(), *spacing_, scale_}; }
+  Is_bad is_bad_object() const { return {Base::is_bad_object(), spacing_, scale_}; }
 
  private:
   const Spacing* spacing_;
