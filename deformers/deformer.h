@@ -15,8 +15,9 @@ namespace deformlab {
 struct Report {
   Summary solve;
   int nodes = 0, edges = 0;
-  double min_det_R = 1;    ///< over all nodes: 1 for rotations, below 0 where space is flipped
-  int inside_out = 0;      ///< nodes with det R < 0
+  double min_det_R = 1;    ///< over all nodes, or triangles of a drawing: 1 for rotations, below 0
+                           ///< where space is flipped
+  int inside_out = 0;      ///< of these, with det R < 0
   double handle_rms = 0;   ///< root mean square distance of the handles to their targets [length]
   double handle_max = 0;   ///< the largest such distance [length]
   double length_unit = 1;  ///< one unit of the solver [length]

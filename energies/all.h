@@ -3,6 +3,7 @@
 #include "energies/constraint.h"
 #include "energies/edge_fit.h"
 #include "energies/fitting.h"
+#include "energies/place_constraint.h"
 #include "energies/regularization.h"
 #include "energies/rotation.h"
 #include "energies/similarity.h"
@@ -18,6 +19,6 @@ template <int d>
 using GraphTerms = TermList<Rotation<d>, Regularization<d>, Constraint<d>>;
 
 /// The terms over a triangulation of the plane, held to the same laws; rigid_shape minimises them.
-using TriangleTerms = TermList<Similarity, Fitting, EdgeFit>;
+using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PlaceConstraint>;
 
 }  // namespace deformlab

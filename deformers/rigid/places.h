@@ -1,22 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <complex>
 #include <vector>
 
+#include "geometry/place.h"
+
 namespace deformlab {
-
-/// A place of a triangulation that is held: Σ_c b_c v_c over at most three of its vertices.
-struct Place {
-  Eigen::Vector3i vertices;
-  Eigen::Vector3d b;  ///< barycentric coordinates, exactly 0 for a vertex that does not count
-
-  /// Where vertices at z (x + iy) take it [length].
-  std::complex<double> operator()(const Eigen::VectorXcd& z) const {
-    return b[0] * z[vertices[0]] + b[1] * z[vertices[1]] + b[2] * z[vertices[2]];
-  }
-  static Place at_vertex(int v) { return {Eigen::Vector3i::Constant(v), {1, 0, 0}}; }
-};
 
 /// Places that share vertices, and so have to be seen together. Their barycentric coordinates are
 /// the rows of C, over the vertices of all of them; C = U Σ Vᵀ.

@@ -28,6 +28,8 @@ Terms<Term> sum_over(const Problem& problem) {
     return Term::over(problem.graph, problem.handles);
   } else if constexpr (requires { Term::over(problem.mesh, problem.weights); }) {
     return Term::over(problem.mesh, problem.weights);
+  } else if constexpr (requires { Term::over(problem.mesh, problem.places); }) {
+    return Term::over(problem.mesh, problem.places);
   } else {
     return Term::over(problem.graph);
   }
@@ -39,7 +41,9 @@ template <class Term>
 Unknowns rest_of(const Problem& problem) {
   if constexpr (requires { Term::rest(problem.mesh); }) {
     return Term::rest(problem.mesh);
-  } else if constexpr (requires { Term::over(problem.mesh, problem.weights); }) {
+  } else if constexpr (
+      requires { Term::over(problem.mesh, problem.weights); } ||
+      requires { Term::over(problem.mesh, problem.places); }) {
     return Unknowns::uniform(problem.mesh.V, static_cast<int>(problem.mesh.V.cols()));
   } else {
     return problem.rest(TermEnergy<Term>(Terms<Term>{}).dimension());

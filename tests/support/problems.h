@@ -7,6 +7,7 @@
 
 #include "energies/unknowns.h"
 #include "geometry/deformation_graph.h"
+#include "geometry/place.h"
 #include "geometry/transfer.h"
 #include "geometry/triangulation.h"
 #include "tests/support/shapes.h"
@@ -14,12 +15,13 @@
 namespace deformlab::test {
 
 /// What terms are summed over: a deformation graph and handles embedded in it, a triangulation and
-/// a weight for each of its triangles.
+/// a weight for each of its triangles, and places in it.
 struct Problem {
   DeformationGraph graph;
   Embedding handles;
   Triangulation mesh;
   Eigen::VectorXd weights;
+  std::vector<Place> places;
 
   int nodes() const { return static_cast<int>(graph.g.cols()); }
   /// R_j = I, t_j = 0, in d dimensions.
@@ -50,7 +52,7 @@ inline Triangulation shaken_grid(int n, unsigned seed = 1) {
 /// handles. Everything is in units of the mean edge.
 inline Problem make_problem(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, int k) {
   const Embedding shape = embed(v, g, k);
-  Problem problem{connect(g, shape, "overlap"), {}, {}, {}};
+  Problem problem{connect(g, shape, "overlap"), {}, {}, {}, {}};
   const double low = v.row(0).minCoeff(), high = v.row(0).maxCoeff();
   std::vector<int> ends;
   for (int i = 0; i < v.cols(); ++i) {
@@ -71,6 +73,7 @@ inline Problem random_problem(int m, int k = 4, unsigned seed = 1) {
       make_problem(random_points(m, size, seed), random_points(15 * m, size, seed + 1), k);
   problem.mesh = shaken_grid(4, seed);
   problem.weights = Eigen::VectorXd::LinSpaced(problem.mesh.F.cols(), 0.5, 3);
+  for (const int f : {0, 3, 7}) problem.places.push_back({problem.mesh.F.col(f), {0.2, 0.3, 0.5}});
   return problem;
 }
 
