@@ -26,7 +26,7 @@ void check(const DragOptions& options) {
 }
 
 DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
-                const DragOptions& options) {
+                const DragOptions& options, const std::function<void()>& after) {
   const Eigen::Matrix3Xd from = places_at_rest(rest, edit.handles);
   const int updates = options.back ? 2 * options.steps : options.steps;
   DragReport result;
@@ -42,6 +42,7 @@ DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
     const auto steps = static_cast<double>(result.last.solve.iterations.size());
     most = std::max(most, steps);
     sum += steps;
+    after();
     finite = finite && deformer.deformed().V.allFinite();
   }
   result.metrics = {{"iterations_max", most}, {"iterations_mean", sum / updates}};

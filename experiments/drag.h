@@ -31,8 +31,10 @@ struct DragReport {
   Metrics metrics, seconds;
 };
 
-/// Moves the handles of a compiled deformer from their places in `rest` to their targets.
-DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
-                const DragOptions& options);
+/// Moves the handles of a compiled deformer from their places in `rest` to their targets; `after`
+/// is called after each update.
+DragReport drag(
+    Deformer& deformer, const Shape& rest, const ResolvedEdit& edit, const DragOptions& options,
+    const std::function<void()>& after = [] {});
 
 }  // namespace deformlab

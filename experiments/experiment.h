@@ -4,50 +4,29 @@
 #include <string>
 #include <vector>
 
-#include "deformers/embedded_deformation.h"
 #include "experiments/claims.h"
 #include "experiments/config_node.h"
+#include "experiments/depth_options.h"
 #include "experiments/drag.h"
+#include "experiments/drawing_scene.h"
+#include "experiments/methods.h"
+#include "experiments/picture_options.h"
 #include "experiments/probes.h"
 #include "experiments/scene.h"
 
 namespace deformlab {
-
-/// What a config's picture shows.
-struct PictureOptions {
-  Eigen::Vector3d direction{0.5, 1.0, -0.6};
-  Eigen::Vector3d up{0, 0, 1};
-  Eigen::Vector3d light{-0.8, 0.6, 0.5};
-  int width = 800;
-  int height = 600;
-  int columns = 0;
-  std::string graph = "rest";
-  bool frames = false;
-  bool rest = true;
-
-  template <class Self, class Visit>
-  static void fields(Self& o, Visit&& visit) {
-    visit("direction", o.direction, "of view, from the eye into the scene");
-    visit("up", o.up, "what points up in the picture");
-    visit("light", o.light, "toward the main light: right, up, back to the camera");
-    visit("width", o.width, "of one panel [pixel]");
-    visit("height", o.height, "of one panel [pixel]");
-    visit("columns", o.columns, "panels beside each other; 0: two for one run, four for a sweep");
-    visit.choice("graph", o.graph, {"rest", "all", "none"}, "panels with the deformation graph");
-    visit("frames", o.frames,
-          "draw a square at each node, along x and z at rest, that shows its R_j");
-    visit("rest", o.rest, "a panel of the rest shape first");
-  }
-};
 
 /// One config file: one figure, table or ablation, with the numbers that it must show.
 struct ExperimentConfig {
   std::string title;
   std::string paper;
   ShapeOptions shape;
-  EmbeddedDeformationOptions deformation;
+  DrawingSceneOptions drawing;
+  MethodOptions method;
+  ConfigNode paint;
   ConfigNode edit;
   DragOptions drag;
+  DepthOptions depth;
   MeasureOptions measure;
   PictureOptions picture;
   ConfigNode sweep;
@@ -58,9 +37,13 @@ struct ExperimentConfig {
     visit("title", o.title, "one line for the gallery");
     visit("paper", o.paper, "what the paper says of it");
     visit("shape", o.shape, "what is deformed");
-    EmbeddedDeformationOptions::fields(o.deformation, visit);
+    visit("drawing", o.drawing, "a drawing that is deformed in the plane instead");
+    MethodOptions::fields(o.method, visit);
+    visit("paint", o.paint,
+          "stiff parts of a drawing: a list of {select, weight} or {mask: FILE.png, weight}");
     visit.required("edit", o.edit, "list of selections and what happens to them");
     visit("drag", o.drag, "in how many updates the handles reach their targets");
+    visit("depth", o.depth, "which of two parts of a drawing that overlap is in front");
     visit("measure", o.measure, "what is measured beyond what every run measures");
     visit("picture", o.picture, "how it is drawn");
     visit("sweep", o.sweep, "dotted keys and lists of values: every combination is run");

@@ -14,6 +14,9 @@ std::string help_text() {
   deformlab deform SHAPE --edit EDIT.yaml --out OUT [--nodes N] [key=value]…
                    [--metrics FILE.json] [--picture FILE.png]
       deforms a shape of your own (.off .obj .ply .stl .xyz)
+  deformlab deform DRAWING --edit EDIT.yaml --out OUT [--vertices N] [key=value]…
+      deforms a drawing (.png .svg, a polygon .txt), or a flat mesh with deformer=rigid_shape;
+      places are [x, y] in pixels, y down
   deformlab list     the energies, solvers and their options
   deformlab help     this text, and every key of a config
 

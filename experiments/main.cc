@@ -9,12 +9,15 @@
 #include "experiments/suggest.h"
 #include "geometry/deformation_graph.h"
 #include "geometry/error.h"
+#include "geometry/triangulation.h"
 
 DEFINE_string(out, "", "run: the folder of results; deform: the file of the deformed shape");
 DEFINE_string(edit, "", "deform: the YAML file of what is selected and where it goes");
 DEFINE_string(metrics, "", "deform: a JSON file for the measurements");
 DEFINE_string(picture, "", "deform: a PNG file of the shape before and after");
 DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes, "deform: number of graph nodes");
+DEFINE_int32(vertices, deformlab::TriangulationOptions{}.vertices,
+             "deform a drawing: number of vertices of its mesh");
 
 namespace {
 
@@ -23,8 +26,8 @@ using namespace deformlab;
 int dispatch(const std::string& command, const std::vector<std::string>& arguments) {
   if (command == "run") return run_command(arguments, FLAGS_out.empty() ? "results" : FLAGS_out);
   if (command == "deform") {
-    return deform_command(arguments,
-                          {FLAGS_edit, FLAGS_out, FLAGS_metrics, FLAGS_picture, FLAGS_nodes});
+    return deform_command(arguments, {FLAGS_edit, FLAGS_out, FLAGS_metrics, FLAGS_picture,
+                                      FLAGS_nodes, FLAGS_vertices});
   }
   if (command == "help" || command == "list") {
     std::fputs((command == "help" ? help_text() : list_text()).c_str(), stdout);
@@ -55,8 +58,9 @@ std::vector<std::string> parse_flags(int argc, char** argv) {
     const std::string name = argument.substr(begin, equals - begin);
     gflags::CommandLineFlagInfo flag;
     if (!gflags::GetCommandLineFlagInfo(name.c_str(), &flag)) {
-      throw InputError("unknown flag " + quote(argument) + "; " +
-                       known_names(name, {"out", "edit", "metrics", "picture", "nodes"}));
+      throw InputError(
+          "unknown flag " + quote(argument) + "; " +
+          known_names(name, {"out", "edit", "metrics", "picture", "nodes", "vertices"}));
     }
     const std::string value = equals < argument.size() ? argument.substr(equals + 1)
                                                        : value_of(name, flag.type, argc, argv, i);

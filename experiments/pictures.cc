@@ -33,8 +33,7 @@ Eigen::Matrix3Xd deformed_nodes(const DeformationGraph& graph, const Transformat
 
 }  // namespace
 
-void PictureBook::add(const Shape& shape, const EmbeddedDeformation& deformer,
-                      const Transformations& X, const ResolvedEdit& edit,
+void PictureBook::add(const Shape& shape, const ResolvedEdit& edit, const Eigen::Matrix3Xd& points,
                       const std::string& caption) {
   shapes_.push_back(std::make_unique<Shape>(shape));
   Panel panel{.shape = shapes_.back().get(), .caption = caption};
@@ -46,25 +45,38 @@ void PictureBook::add(const Shape& shape, const EmbeddedDeformation& deformer,
   } else {
     add_balls(panel, shape.V(Eigen::all, moved), kHandleRadius * size, colors::kHandle);
   }
-  add_balls(panel, deformer.points(X), kHandleRadius * size, colors::kHandle);
-  if (options_.graph == "all" || (options_.graph == "rest" && panels_.empty() && options_.rest)) {
-    add_graph(panel, deformer.graph(), deformed_nodes(deformer.graph(), X),
-              std::min(kNodeRadius * size, kNodeShare * mean_edge_length(deformer.graph())));
-  }
-  if (options_.frames)
-    add_frames(panel, deformer.graph(), X, 0.25 * mean_edge_length(deformer.graph()));
+  add_balls(panel, points, kHandleRadius * size, colors::kHandle);
   panels_.push_back(std::move(panel));
 }
 
-void PictureBook::add_rest(const EmbeddedDeformation& deformer, const Shape& rest,
-                           const ResolvedEdit& edit) {
-  if (!options_.rest) return;
-  add(rest, deformer, rest_transformations(deformer.graph().g.cols()), edit, "rest shape");
+// To the last panel.
+void PictureBook::add_graph(const EmbeddedDeformation& deformer, const Transformations& X) {
+  Panel& panel = panels_.back();
+  const DeformationGraph& graph = deformer.graph();
+  const double size = bounding_box_diagonal(panel.shape->V), edge = mean_edge_length(graph);
+  if (options_.graph == "all" ||
+      (options_.graph == "rest" && panels_.size() == 1 && options_.rest)) {
+    deformlab::add_graph(panel, graph, deformed_nodes(graph, X),
+                         std::min(kNodeRadius * size, kNodeShare * edge));
+  }
+  if (options_.frames) add_frames(panel, graph, X, 0.25 * edge);
 }
 
-void PictureBook::add_deformed(const EmbeddedDeformation& deformer, const ResolvedEdit& edit,
+void PictureBook::add_rest(const Deformer& deformer, const Shape& rest, const ResolvedEdit& edit) {
+  if (!options_.rest) return;
+  add(rest, edit, edit.handles.points, "rest shape");
+  if (const auto* embedded = dynamic_cast<const EmbeddedDeformation*>(&deformer)) {
+    add_graph(*embedded, rest_transformations(embedded->graph().g.cols()));
+  }
+}
+
+void PictureBook::add_deformed(const Deformer& deformer, const ResolvedEdit& edit,
                                const std::string& caption) {
-  add(deformer.deformed(), deformer, deformer.transformations(), edit, caption);
+  const auto* embedded = dynamic_cast<const EmbeddedDeformation*>(&deformer);
+  const Eigen::Matrix3Xd targets = edit.targets.rightCols(edit.handles.points.cols());
+  add(deformer.deformed(), edit, embedded ? embedded->points(embedded->transformations()) : targets,
+      caption);
+  if (embedded) add_graph(*embedded, embedded->transformations());
 }
 
 Image PictureBook::render() const {

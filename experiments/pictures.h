@@ -6,8 +6,8 @@
 
 #include "deformers/embedded_deformation.h"
 #include "experiments/edit.h"
-#include "experiments/experiment.h"
 #include "experiments/image.h"
+#include "experiments/picture_options.h"
 #include "experiments/render.h"
 
 namespace deformlab {
@@ -18,15 +18,15 @@ class PictureBook {
  public:
   explicit PictureBook(const PictureOptions& options) : options_(options) {}
 
-  void add_rest(const EmbeddedDeformation& deformer, const Shape& rest, const ResolvedEdit& edit);
-  void add_deformed(const EmbeddedDeformation& deformer, const ResolvedEdit& edit,
-                    const std::string& caption);
+  void add_rest(const Deformer& deformer, const Shape& rest, const ResolvedEdit& edit);
+  void add_deformed(const Deformer& deformer, const ResolvedEdit& edit, const std::string& caption);
   bool empty() const { return panels_.empty(); }
   Image render() const;
 
  private:
-  void add(const Shape& shape, const EmbeddedDeformation& deformer, const Transformations& X,
-           const ResolvedEdit& edit, const std::string& caption);
+  void add(const Shape& shape, const ResolvedEdit& edit, const Eigen::Matrix3Xd& points,
+           const std::string& caption);
+  void add_graph(const EmbeddedDeformation& deformer, const Transformations& X);
 
   PictureOptions options_;
   std::vector<std::unique_ptr<Shape>> shapes_;  // the panels point at them

@@ -6,6 +6,7 @@
 #include "energies/catalog.h"
 #include "experiments/camera.h"
 #include "experiments/config.h"
+#include "experiments/drawing_run.h"
 #include "experiments/shape_run.h"
 #include "experiments/suggest.h"
 #include "geometry/error.h"
@@ -36,7 +37,7 @@ void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& s
 
 ExperimentConfig read(const ConfigNode& root) {
   auto config = read_config<ExperimentConfig>(root);
-  complete_energies(root, config.deformation);
+  complete_energies(root, config.method.deformation);
   return config;
 }
 
@@ -74,6 +75,19 @@ void check_swept_keys(const ConfigNode& sweep) {
   }
 }
 
+bool is_drawing(const ExperimentConfig& config) { return !config.drawing.file.empty(); }
+
+void check_edit(const ExperimentConfig& config) {
+  if (is_drawing(config)) {
+    read_plane_edit(config.edit);
+    check_paint(config.paint);
+    read_probes(config.measure.probes, 2);
+  } else {
+    read_edit(config.edit);
+    read_probes(config.measure.probes, 3);
+  }
+}
+
 // A config that was read whole: nothing in it is unknown, of a wrong type or out of its range.
 struct Plan {
   ExperimentConfig config;
@@ -91,12 +105,19 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
   result.combinations = expand_sweep(result.config.sweep);
   for (const auto& combination : result.combinations) {
     result.runs.push_back(read(with_overrides(root, combination)));
-    make_solver(result.runs.back().deformation.solver);
+    make_solver(result.runs.back().method.deformation.solver);
     check(result.runs.back().drag);
     check(result.runs.back().measure);
-    read_edit(result.runs.back().edit);
+    check_edit(result.runs.back());
   }
   return result;
+}
+
+// A sweep over drawings and shapes shows both, the drawings first.
+Image render(const PictureBook& shapes, const DrawingBook& drawings) {
+  if (drawings.empty()) return shapes.render();
+  if (shapes.empty()) return drawings.render();
+  return grid({drawings.render(), shapes.render()}, 1);
 }
 
 }  // namespace
@@ -130,18 +151,23 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
   Outcome outcome;
   outcome.config = config;
   outcome.resolved = to_node(outcome.config);
-  PictureBook pictures(outcome.config.picture);
+  PictureBook shapes(outcome.config.picture);
+  DrawingBook drawings(outcome.config.picture);
   for (std::size_t i = 0; i < configs.size(); ++i) {
     MeasuredRun settings;
     for (const Override& o : combinations[i]) settings.settings.emplace_back(o.key, o.value);
     progress(i + 1, configs.size(), label(settings));
     const std::string caption = configs.size() > 1 ? label(settings) : "deformed";
-    outcome.runs.push_back(run_shape(configs[i], path.parent_path(), caption, i == 0, pictures));
+    const std::filesystem::path folder = path.parent_path();
+    outcome.runs.push_back(
+        is_drawing(configs[i])
+            ? run_drawing(configs[i], folder, caption, drawings.empty(), drawings)
+            : run_shape(configs[i], folder, caption, shapes.empty(), shapes));
     outcome.runs.back().measured.settings = settings.settings;
   }
   const std::vector<MeasuredRun> measured = with_seconds(outcome.runs);
   for (const Claim& claim : outcome.config.claims) outcome.claims.push_back(check(claim, measured));
-  outcome.picture = pictures.render();
+  outcome.picture = render(shapes, drawings);
   return outcome;
 }
 

@@ -24,9 +24,10 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
               const std::string& caption, bool first, PictureBook& pictures) {
   const Shape rest = make_shape(config.shape, folder);
   const ResolvedEdit edit = resolve(read_edit(config.edit), rest);
-  EmbeddedDeformation deformer(rest, config.deformation);
-  deformer.compile(edit.handles);
-  const auto [report, metrics, seconds] = drag(deformer, rest, edit, config.drag);
+  const std::unique_ptr<Deformer> deformer = make_deformer(config.method, rest);
+  deformer->compile(edit.handles);
+  const auto [report, metrics, seconds] = drag(*deformer, rest, edit, config.drag);
+  const auto* embedded = dynamic_cast<const EmbeddedDeformation*>(deformer.get());
   Run run;
   run.solve = report.solve;
   run.notes = report.notes;
@@ -38,16 +39,16 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
   run.measured.metrics["vertices"] = static_cast<double>(rest.V.cols());
   run.measured.metrics["handles"] = static_cast<double>(edit.handles.targets());
   run.measured.metrics["handle_rms_relative"] = size > 0 ? report.handle_rms / size : 0;
-  run.measured.metrics.merge(distortion(rest, deformer.deformed()));
+  run.measured.metrics.merge(distortion(rest, deformer->deformed()));
   if (config.measure.detail > 0) {
-    run.measured.metrics.merge(detail(rest, deformer.deformed(), config.measure.detail));
+    run.measured.metrics.merge(detail(rest, deformer->deformed(), config.measure.detail));
   }
   const std::vector<int> probes = nearest_vertices(rest, read_probes(config.measure.probes, 3));
-  const Eigen::Matrix3Xd way = (deformer.deformed().V - rest.V)(Eigen::all, probes);
+  const Eigen::Matrix3Xd way = (deformer->deformed().V - rest.V)(Eigen::all, probes);
   run.measured.metrics.merge(probe_metrics(way, size));
-  run.measured.metrics.merge(node_shear(deformer.transformations()));
-  if (first) pictures.add_rest(deformer, rest, edit);
-  pictures.add_deformed(deformer, edit, caption);
+  if (embedded) run.measured.metrics.merge(node_shear(embedded->transformations()));
+  if (first) pictures.add_rest(*deformer, rest, edit);
+  pictures.add_deformed(*deformer, edit, caption);
   for (const std::string& note : run.notes) LOG(WARNING) << note;
   return run;
 }

@@ -115,21 +115,26 @@ void paint(cairo_t* cairo, const VectorPath& path) {
   cairo_restore(cairo);
 }
 
+Bitmap painted(int width, int height, const std::function<void(cairo_t*)>& draw) {
+  Bitmap bitmap(width, height);
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height),
+                        cairo_surface_destroy);
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+  const Context cairo(cairo_create(surface.get()), cairo_destroy);
+  draw(cairo.get());
+  return to_bitmap(surface.get(), std::move(bitmap));
+}
+
 Bitmap rasterized(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page,
                   double resolution) {
   const Eigen::Vector2d size = (page.sizes() * resolution).array().round().max(1);
   const std::string problem = size_problem(size.x(), size.y());
   if (!problem.empty()) throw InputError("cannot paint a page of " + problem);
-  Bitmap bitmap(static_cast<int>(size.x()), static_cast<int>(size.y()));
-  const Surface surface(
-      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, bitmap.width, bitmap.height),
-      cairo_surface_destroy);
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
-  const Context cairo(cairo_create(surface.get()), cairo_destroy);
-  cairo_scale(cairo.get(), resolution, resolution);
-  cairo_translate(cairo.get(), -page.min().x(), -page.min().y());
-  for (const VectorPath& path : paths) paint(cairo.get(), path);
-  return to_bitmap(surface.get(), std::move(bitmap));
+  return painted(static_cast<int>(size.x()), static_cast<int>(size.y()), [&](cairo_t* cairo) {
+    cairo_scale(cairo, resolution, resolution);
+    cairo_translate(cairo, -page.min().x(), -page.min().y());
+    for (const VectorPath& path : paths) paint(cairo, path);
+  });
 }
 
 }  // namespace deformlab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <vector>
 
 #include "experiments/drawing/bitmap.h"
@@ -12,6 +13,10 @@ namespace deformlab {
 
 /// Paints a path in the coordinates that Cairo's transformation gives.
 void paint(cairo_t* cairo, const VectorPath& path);
+
+/// What `draw` paints on a transparent ground, Cairo's unit being a pixel. Throws InputError for a
+/// size that a Bitmap cannot have.
+Bitmap painted(int width, int height, const std::function<void(cairo_t*)>& draw);
 
 /// The paths on a transparent page, `resolution` pixels a unit of length; the page's least corner
 /// is that of pixel (0, 0). Throws InputError for a size that a Bitmap cannot have.

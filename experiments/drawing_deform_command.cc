@@ -1,0 +1,116 @@
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "experiments/commands.h"
+#include "experiments/config.h"
+#include "experiments/depth_options.h"
+#include "experiments/drawing/write_drawing.h"
+#include "experiments/drawing_pictures.h"
+#include "experiments/methods.h"
+#include "experiments/override.h"
+#include "experiments/results.h"
+#include "experiments/run.h"
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What key=value may set.
+struct DrawingDeformOptions {
+  DrawingSceneOptions drawing;
+  MethodOptions method;
+  ConfigNode paint;
+  DepthOptions depth;
+  DrawingOutputOptions output;
+  PictureOptions picture;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("drawing", o.drawing, "how the drawing is read and cut into triangles");
+    MethodOptions::fields(o.method, visit);
+    visit("paint", o.paint, "stiff parts: a list of {select, weight} or {mask: FILE.png, weight}");
+    visit("depth", o.depth, "which of two parts that overlap is in front");
+    visit("output", o.output, "how the deformed drawing is written");
+    visit("picture", o.picture, "how --picture is drawn");
+  }
+};
+
+DrawingDeformOptions read_options(const std::vector<std::string>& arguments,
+                                  const DeformFlags& flags) {
+  ConfigNode root;
+  root.kind = ConfigNode::Kind::kMap;
+  apply_override(root, {"drawing.vertices", std::to_string(flags.vertices), "."});
+  apply_override(root, {"graph.nodes", std::to_string(flags.nodes), "."});
+  for (auto text = arguments.begin() + 1; text != arguments.end(); ++text) {
+    apply_override(root, parse_override(*text));
+  }
+  auto options = read_config<DrawingDeformOptions>(root);
+  complete_energies(root, options.method.deformation);
+  if (!options.drawing.file.empty()) {
+    throw InputError("drawing.file is set, but the drawing is the first argument of deform");
+  }
+  options.drawing.file = arguments.front();
+  return options;
+}
+
+void print(const Report& report, const DrawingScene& scene, const std::string& out) {
+  std::printf("%d vertices, %d triangles, handles off by %.3g rms; written to %s\n",
+              static_cast<int>(scene.rest.V.cols()), static_cast<int>(scene.rest.F.cols()),
+              report.handle_rms, out.c_str());
+}
+
+}  // namespace
+
+bool is_drawing(const std::vector<std::string>& arguments) {
+  const std::string extension = fs::path(arguments.front()).extension().string();
+  for (const char* known : {".png", ".svg", ".txt", ".PNG", ".SVG", ".TXT"}) {
+    if (extension == known) return true;
+  }
+  return std::any_of(arguments.begin() + 1, arguments.end(),
+                     [](const std::string& text) { return text == "deformer=rigid_shape"; });
+}
+
+int deform_drawing(const std::vector<std::string>& arguments, const DeformFlags& flags) {
+  const DrawingDeformOptions options = read_options(arguments, flags);
+  const std::vector<EditEntry> entries = read_plane_edit_file(flags.edit);
+  check_paint(options.paint);
+  DrawingScene scene = make_drawing(options.drawing, ".");
+  for (const std::string& note : scene.drawing.notes) LOG(WARNING) << note;
+  check_output(flags.out, scene.drawing);
+  paint(scene, options.paint);
+  const ResolvedEdit edit = resolve(entries, scene.rest);
+
+  const std::unique_ptr<Deformer> deformer = make_deformer(options.method, scene);
+  deformer->compile(edit.handles);
+  const Report report = deformer->update(edit.targets);
+  for (const std::string& note : report.notes) LOG(WARNING) << note;
+  if (report.solve.status == Status::kFailed) {
+    std::fprintf(stderr, "deformlab: the solver failed: %s; nothing was written\n",
+                 report.solve.message.c_str());
+    return 1;
+  }
+  const Eigen::Matrix2Xd V = deformer->deformed().V.topRows<2>();
+  const Eigen::VectorXd depth = DrawingDepth(options.depth, scene.rest).update(V);
+  const PicturedDrawing pictured{std::make_shared<BoundDrawing>(scene.drawing, scene.rest),
+                                 scene.weights, edit};
+  Image picture;  // drawn before the first file is written, as drawing may fail
+  if (!flags.picture.empty()) {
+    DrawingBook pictures(options.picture);
+    pictures.add_rest(pictured);
+    pictures.add_deformed(pictured, V, depth, "deformed");
+    picture = pictures.render();
+  }
+  for (const auto& note : write_drawing(flags.out, *pictured.bound, V, depth, options.output)) {
+    LOG(WARNING) << note;
+  }
+  if (!flags.metrics.empty()) write_text(flags.metrics, to_json(report));
+  if (!flags.picture.empty()) write_png(picture, flags.picture);
+  print(report, scene, flags.out);
+  return 0;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,30 @@
+#include "experiments/methods.h"
+
+#include "geometry/error.h"
+
+namespace deformlab {
+
+std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest) {
+  if (options.deformer == "rbf") return std::make_unique<RbfDeformation>(rest, options.rbf);
+  if (options.deformer == "primo") return std::make_unique<PrimoDeformation>(rest, options.primo);
+  if (options.deformer == "arap") return std::make_unique<CgalArap>(rest, options.arap);
+  if (options.deformer == "rigid_shape") {
+    throw InputError("deformer 'rigid_shape' is for drawings: give 'drawing', not 'shape'");
+  }
+  return std::make_unique<EmbeddedDeformation>(rest, options.deformation);
+}
+
+std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const DrawingScene& scene) {
+  if (options.deformer == "rigid_shape" || options.deformer == "auto") {
+    return std::make_unique<RigidShape>(scene.rest, scene.weights, options.rigid_shape);
+  }
+  if (options.deformer == "embedded_deformation") {
+    EmbeddedDeformationOptions in_the_plane = options.deformation;
+    in_the_plane.dimension = 2;
+    return std::make_unique<EmbeddedDeformation>(to_shape(scene.rest), in_the_plane);
+  }
+  throw InputError("deformer '" + options.deformer +
+                   "' is for shapes in space; a drawing takes rigid_shape or embedded_deformation");
+}
+
+}  // namespace deformlab

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "deformers/baselines/cgal_arap.h"
+#include "deformers/baselines/primo_deformation.h"
+#include "deformers/baselines/rbf_deformation.h"
+#include "deformers/embedded_deformation.h"
+#include "deformers/rigid_shape.h"
+#include "experiments/drawing_scene.h"
+
+namespace deformlab {
+
+/// The method that a config runs, and what each can be told. Embedded deformation's options stand
+/// at the top of a config, those of the others under their names.
+struct MethodOptions {
+  std::string deformer = "auto";
+  EmbeddedDeformationOptions deformation;
+  RigidShapeOptions rigid_shape;
+  RbfOptions rbf;
+  PrimoOptions primo;
+  CgalArapOptions arap;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.choice("deformer", o.deformer,
+                 {"auto", "embedded_deformation", "rigid_shape", "rbf", "primo", "arap"},
+                 "the method; auto: embedded_deformation of a shape, rigid_shape of a drawing");
+    EmbeddedDeformationOptions::fields(o.deformation, visit);
+    visit("rigid_shape", o.rigid_shape, "options of the method for drawings");
+    visit("rbf", o.rbf, "options of radial basis functions");
+    visit("primo", o.primo, "options of PriMo");
+    visit("arap", o.arap, "options of CGAL's as-rigid-as-possible deformation");
+  }
+};
+
+/// The method for a shape. Throws InputError where it is one for drawings, or the method cannot
+/// take the shape.
+std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest);
+
+/// The method for a drawing: rigid_shape, or embedded deformation in the plane. Throws InputError
+/// for one that is for shapes in space.
+std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const DrawingScene& scene);
+
+}  // namespace deformlab

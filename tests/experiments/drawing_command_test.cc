@@ -1,0 +1,217 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/drawing/bitmap.h"
+#include "geometry/shape_io.h"
+#include "tests/support/program.h"
+
+// `deformlab deform` of drawings, and what it refuses.
+namespace deformlab::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kEdit =
+    "edit:\n"
+    "  - {select: {point: [15, 40]}, fix: true}\n"
+    "  - {select: {point: [105, 40]}, by: [0, 20]}\n";
+
+/// A bar from (10, 25) to (110, 55) on a page of 120 × 80 pixels, its right half blue.
+Bitmap bar() {
+  Bitmap bitmap(120, 80);
+  for (int y = 25; y < 55; ++y) {
+    for (int x = 10; x < 110; ++x) {
+      std::uint8_t* p = bitmap.pixel(x, y);
+      p[0] = x < 60 ? 220 : 30;
+      p[1] = 60;
+      p[2] = x < 60 ? 30 : 220;
+      p[3] = 255;
+    }
+  }
+  return bitmap;
+}
+
+class DrawingCommand : public Program {
+ protected:
+  void put_bitmap(const std::string& name, const Bitmap& bitmap) const {
+    write_png(bitmap, place(name));
+  }
+  void put_svg(const std::string& name, const std::string& body) const {
+    put(name, "<svg xmlns='http://www.w3.org/2000/svg' width='120' height='80'>" + body + "</svg>");
+  }
+  Words deform(const std::string& in, const std::string& edit, const std::string& out) const {
+    put("edit.yaml", edit);
+    return {"deform", in, "--edit", "edit.yaml", "--out", out, "--vertices", "60"};
+  }
+  void expect_edit_refused(const std::string& entry, const Words& words) const {
+    put_bitmap("bar.png", bar());
+    expect_refused(deform("bar.png", "edit:\n  - " + entry + "\n", "out.png"), words);
+  }
+};
+
+TEST_F(DrawingCommand, BendsABitmap) {
+  put_bitmap("bar.png", bar());
+  Words words = deform("bar.png", kEdit, "out.png");
+  words.insert(words.end(), {"--metrics", "m.json", "--picture", "p.png"});
+  const Ending ending = expect_success(words);
+  EXPECT_THAT(ending.out, HasSubstr("written to out.png"));
+  const Bitmap out = read_png(place("out.png"));
+  EXPECT_EQ(out.pixel(15, 40)[3], 255);   // the fixed end stays
+  EXPECT_EQ(out.pixel(105, 60)[3], 255);  // the other one came down,
+  EXPECT_GT(out.pixel(105, 60)[2], 180);  // and is blue
+  EXPECT_EQ(out.pixel(105, 28)[3], 0);
+  const auto metrics = nlohmann::json::parse(get("m.json"));
+  EXPECT_LT(metrics.at("handle_rms").get<double>(), 1e-9);
+  EXPECT_GT(read_png(place("p.png")).width, 100);
+}
+
+TEST_F(DrawingCommand, WithoutMovementTheBitmapStays) {
+  put_bitmap("bar.png", bar());
+  expect_success(deform("bar.png", "edit:\n  - {select: {point: [60, 40]}, fix: true}\n", "o.png"));
+  const Bitmap before = bar(), after = read_png(place("o.png"));
+  ASSERT_EQ(after.width, before.width);
+  int differ = 0;
+  for (std::size_t i = 0; i < before.rgba.size(); i += 4) {
+    differ += before.rgba[i + 3] != after.rgba[i + 3];
+  }
+  EXPECT_LT(differ, 5);
+}
+
+TEST_F(DrawingCommand, BendsCurvesThatStayCurves) {
+  put_svg("bar.svg", "<path d='M10 25 H110 V55 C80 70 40 60 10 55 Z' fill='#c33'/>");
+  expect_success(deform("bar.svg", kEdit, "out.svg"));
+  EXPECT_THAT(get("out.svg"), HasSubstr("<path"));
+  EXPECT_THAT(get("out.svg"), HasSubstr("C"));
+  expect_success(deform("bar.svg", kEdit, "out.png"));
+  expect_success(deform("bar.svg", kEdit, "out.obj"));
+  EXPECT_EQ(read_shape(place("out.obj")).faces.front().size(), 3u);
+}
+
+TEST_F(DrawingCommand, TurnsARotationHandle) {
+  put_bitmap("bar.png", bar());
+  expect_success(deform(
+      "bar.png", "edit:\n  - {select: {point: [60, 40]}, rotate: 90, by: [0, 5]}\n", "out.png"));
+  const Bitmap out = read_png(place("out.png"));
+  EXPECT_EQ(out.pixel(20, 40)[3], 0);  // it stands upright now
+}
+
+TEST_F(DrawingCommand, TakesPolygonsAndFlatMeshes) {
+  put("bar.txt", "10 25\n110 25\n110 55\n10 55\n");
+  expect_success(deform("bar.txt", kEdit, "out.svg"));
+  put("bar.obj", "v 10 25 0\nv 110 25 0\nv 110 55 0\nv 10 55 0\nf 1 2 3\nf 1 3 4\n");
+  Words words = deform("bar.obj", kEdit, "out.obj");
+  words.push_back("deformer=rigid_shape");
+  expect_success(words);
+  EXPECT_EQ(read_shape(place("out.obj")).V.cols(), 4);
+}
+
+TEST_F(DrawingCommand, BendsByEmbeddedDeformationToo) {
+  put_bitmap("bar.png", bar());
+  Words words = deform("bar.png", kEdit, "out.png");
+  words.insert(words.end(), {"deformer=embedded_deformation", "--nodes", "12"});
+  expect_success(words);
+}
+
+TEST_F(DrawingCommand, HandlesMayCoincideOrCrowdInOneTriangle) {
+  put_bitmap("bar.png", bar());
+  std::string edit = "edit:\n  - {select: {point: [15, 40]}, fix: true}\n";
+  for (const char* p : {"100.0, 40", "100.5, 40", "100, 40.5", "100.3, 40.3", "100.0, 40"}) {
+    edit += std::string("  - {select: {point: [") + p + "]}, by: [0, 20]}\n";
+  }
+  expect_success(deform("bar.png", edit, "out.png"));
+  EXPECT_EQ(read_png(place("out.png")).pixel(100, 60)[3], 255);
+}
+
+TEST_F(DrawingCommand, AHandleMayLieOnTheBoundary) {
+  put_bitmap("bar.png", bar());
+  expect_success(deform("bar.png",
+                        "edit:\n  - {select: {point: [15, 40]}, fix: true}\n"
+                        "  - {select: {nearest: [110, 25]}, by: [5, 5]}\n",
+                        "out.png"));
+}
+
+TEST_F(DrawingCommand, RefusesAHandleOutside) {
+  expect_edit_refused("{select: {point: [60, 75]}, by: [1, 1]}", {"60", "75", "55"});
+  expect_edit_refused("{select: {circle: {center: [3, 3], radius: 1}}, by: [1, 1]}",
+                      {"selects no vertex"});
+  expect_edit_refused("{select: {nearest: [1, 2, 3]}, fix: true}", {"two coordinates"});
+}
+
+TEST_F(DrawingCommand, RefusesPicturesThatShowNothing) {
+  put_bitmap("empty.png", Bitmap(30, 30));
+  expect_refused(deform("empty.png", kEdit, "o.png"), {"empty.png", "opaque"});
+  put_bitmap("dot.png", Bitmap(1, 1));
+  expect_refused(deform("dot.png", kEdit, "o.png"), {"dot.png", "1×1"});
+  Bitmap noise(40, 40);
+  for (std::size_t i = 0; i < noise.rgba.size(); ++i) {
+    noise.rgba[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(i * 2654435761u >> 11);
+  }
+  put_bitmap("noise.png", noise);
+  expect_refused(deform("noise.png", kEdit, "o.png"), {"noise.png", "background"});
+}
+
+TEST_F(DrawingCommand, RefusesBrokenFiles) {
+  put_bitmap("bar.png", bar());
+  put("cut.png", get("bar.png").substr(0, 150));
+  expect_refused(deform("cut.png", kEdit, "o.png"), {"cut.png"});
+  put("no.svg", "<svg xmlns='http://www.w3.org/2000/svg'");
+  expect_refused(deform("no.svg", kEdit, "o.png"), {"no.svg"});
+  put_svg("text.svg", "<text x='3' y='30'>words</text>");
+  expect_refused(deform("text.svg", kEdit, "o.png"), {"text.svg"});
+  put("line.txt", "1 1\n5 5\n");
+  expect_refused(deform("line.txt", kEdit, "o.png"), {"line.txt"});
+  put("eight.txt", "10 10\n90 60\n90 10\n10 60\n");
+  expect_refused(deform("eight.txt", kEdit, "o.png"), {"eight.txt", "cross"});
+  expect_refused(deform("missing.png", kEdit, "o.png"), {"missing.png"});
+}
+
+TEST_F(DrawingCommand, TakesAPathThatCrossesItselfAndFetchesNothing) {
+  put_svg("eight.svg", "<path d='M10 20 L110 60 V20 L10 60 Z' stroke='#000' stroke-width='12'/>");
+  expect_success(deform("eight.svg", kEdit, "out.png"));
+  put("secret.svg", "<svg xmlns='http://www.w3.org/2000/svg'><rect width='9' height='9'/></svg>");
+  put("linked.svg",
+      "<!DOCTYPE svg [<!ENTITY x SYSTEM 'secret.svg'>]>"
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' "
+      "width='120' height='80'><rect x='10' y='25' width='100' height='30'/>"
+      "<image xlink:href='http://localhost:9/a.png' width='5' height='5'/></svg>");
+  const Ending ending = start(deform("linked.svg", kEdit, "out.png"));
+  EXPECT_THAT(ending.status, ::testing::AnyOf(0, 2)) << ending.err;
+}
+
+TEST_F(DrawingCommand, RefusesOutputsThatCannotBe) {
+  put_bitmap("bar.png", bar());
+  expect_refused(deform("bar.png", kEdit, "out.svg"), {"out.svg"});
+  expect_refused(deform("bar.png", kEdit, "out.jpg"), {"out.jpg"});
+  expect_refused(deform("bar.png",
+                        "edit:\n  - {select: {point: [15, 40]}, fix: true}\n"
+                        "  - {select: {point: [105, 40]}, by: [9e6, 0]}\n",
+                        "out.png"),
+                 {"out.png"});
+}
+
+TEST_F(DrawingCommand, SaysThatDetachedPartsAreLeftOut) {
+  Bitmap two = bar();
+  for (int i = 0; i < 5; ++i) two.pixel(2 + i, 3)[3] = two.pixel(2 + i, 4)[3] = 255;
+  put_bitmap("two.png", two);
+  EXPECT_THAT(expect_success(deform("two.png", kEdit, "out.png")).err,
+              HasSubstr("kept the largest part"));
+}
+
+TEST_F(DrawingCommand, HandlesThatCollapseAndComeBackLeaveTheShapeAsItWas) {
+  put_bitmap("bar.png", bar());
+  put("collapse.yaml",
+      "drawing: {file: bar.png, vertices: 80}\n"
+      "edit:\n"
+      "  - {select: {point: [20, 40]}, to: [60, 40]}\n"
+      "  - {select: {point: [100, 40]}, to: [60, 40]}\n"
+      "drag: {steps: 8, back: true}\n"
+      "claims:\n"
+      "  - {name: finite, measure: finite, equals: 1}\n"
+      "  - {name: returns, measure: edge_error_mean, at_most: 1e-9}\n");
+  expect_success({"run", "collapse.yaml", "--out", "results"});
+}
+
+}  // namespace
+}  // namespace deformlab::test
