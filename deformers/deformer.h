@@ -31,8 +31,8 @@ struct Report {
 class Deformer {
  public:
   virtual ~Deformer() = default;
-  /// Handles are added or removed. Throws InputError for a vertex that does not exist or is both
-  /// fixed and moved.
+  /// Handles are added or removed. Throws InputError for a vertex that does not exist, is both
+  /// fixed and moved or is moved twice, and for a place that is not finite.
   virtual void compile(const Handles& handles) = 0;
   /// Handles move: 3×#moved targets [length]. Starts from where the last update ended.
   /// Throws InputError for another number of targets, or one that is not finite.

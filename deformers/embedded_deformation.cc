@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "deformers/handle_checks.h"
 #include "deformers/hold.h"
 #include "energies/catalog.h"
 #include "geometry/error.h"
@@ -64,24 +65,6 @@ void check_dimension(int d, const Shape& rest) {
   if (d == 2 && rest.V.cols() > 0 && rest.V.row(2).maxCoeff() > rest.V.row(2).minCoeff()) {
     throw InputError("dimension is 2, but z differs over the shape; use 3, or flatten it");
   }
-}
-
-void check_vertices(const std::vector<int>& indices, Eigen::Index count) {
-  for (const int i : indices) {
-    if (i >= 0 && i < count) continue;
-    throw InputError("handle at vertex " + std::to_string(i) +
-                     "; the shape has the vertices 0 to " + std::to_string(count - 1));
-  }
-}
-
-void check_disjoint(const Handles& handles) {
-  std::vector<int> fixed = handles.fixed, moved = handles.moved, both;
-  std::sort(fixed.begin(), fixed.end());
-  std::sort(moved.begin(), moved.end());
-  std::set_intersection(fixed.begin(), fixed.end(), moved.begin(), moved.end(),
-                        std::back_inserter(both));
-  if (both.empty()) return;
-  throw InputError("vertex " + std::to_string(both.front()) + " is both fixed and moved");
 }
 
 }  // namespace
@@ -161,9 +144,7 @@ void EmbeddedDeformation::fix_nodes(const Handles& handles) {
 void EmbeddedDeformation::compile(const Handles& handles) {
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
-  check_vertices(handles.fixed, rest_.V.cols());
-  check_vertices(handles.moved, rest_.V.cols());
-  check_disjoint(handles);
+  check_handles(handles, rest_.V.cols());
   fixed_ = handles.fixed;
   points_ = handles.points.cols();
   handles_ = joined(subset(embedding_, handles.moved),
@@ -214,20 +195,8 @@ void EmbeddedDeformation::measure_determinants(const Transformations& X, Report&
   }
 }
 
-void EmbeddedDeformation::measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const {
-  if (targets.cols() == 0) return;
-  const Eigen::Matrix3Xd reached = transfer_positions(transformations(), graph_.g, handles_);
-  const Eigen::VectorXd distance = (reached - targets).colwise().norm();
-  report.handle_rms = std::sqrt(distance.squaredNorm() / targets.cols());
-  report.handle_max = distance.maxCoeff();
-}
-
 Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
-  if (targets.cols() != handles_.v.cols()) {
-    throw InputError(std::to_string(targets.cols()) + " targets for " +
-                     std::to_string(handles_.v.cols()) + " handles; one for each is needed");
-  }
-  if (!targets.allFinite()) throw InputError("a handle's target is not finite");
+  check_targets(targets, handles_.v.cols());
   Report report;
   const Eigen::MatrixXd aims = targets.topRows(options_.dimension) / unit_;
   for (const auto& term : stage_.terms) term.energy->aim(aims);
@@ -244,7 +213,7 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   report.edges = static_cast<int>(graph_.edges.size());
   report.length_unit = unit_;
   measure_determinants(X, report);
-  measure_handles(targets, report);
+  measure_handles(transfer_positions(X, graph_.g, handles_), targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = report.solve.seconds["total"];
   report.notes = registration_notes_;

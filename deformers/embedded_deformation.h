@@ -68,7 +68,6 @@ class EmbeddedDeformation final : public Deformer {
   void fix_nodes(const Handles& handles);
   void carry_along(const Eigen::Matrix3Xd& targets);
   void measure_determinants(const Transformations& X, Report& report) const;
-  void measure_handles(const Eigen::Matrix3Xd& targets, Report& report) const;
 
   EmbeddedDeformationOptions options_;
   Shape rest_, deformed_;

@@ -11,7 +11,7 @@
 
 #include "deformers/baselines/manifold.h"
 #include "deformers/baselines/shared.h"
-#include "deformers/baselines/spokes_and_rims.h"
+#include "deformers/handle_checks.h"
 #include "geometry/error.h"
 #include "solvers/stopwatch.h"
 
@@ -138,7 +138,7 @@ void CgalArap::reset() {
 }
 
 void CgalArap::compile(const Handles& handles) {
-  baselines::check_handles(handles, rest_.V.cols());
+  check_handles(handles, rest_.V.cols());
   baselines::refuse_points(handles, "as-rigid-as-possible deformation");
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
@@ -215,7 +215,7 @@ std::pair<Status, std::string> CgalArap::iterate(Summary& summary, SpokesAndRims
 }
 
 Report CgalArap::update(const Eigen::Matrix3Xd& targets) {
-  baselines::check_targets(targets, std::ssize(handles_.moved));
+  check_targets(targets, std::ssize(handles_.moved));
   Report report;
   Summary& summary = report.solve;
   summary.method = "cgal_arap";
@@ -238,7 +238,7 @@ Report CgalArap::update(const Eigen::Matrix3Xd& targets) {
     Stopwatch watch(report.seconds["transfer"]);
     store(targets, state.R);
   }
-  baselines::measure_handles(deformed_.V(Eigen::all, handles_.moved), targets, report);
+  measure_handles(deformed_.V(Eigen::all, handles_.moved), targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = summary.seconds["total"];
   report.notes = registration_notes_;

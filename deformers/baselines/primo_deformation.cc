@@ -7,6 +7,7 @@
 
 #include "deformers/baselines/prism_solver.h"
 #include "deformers/baselines/shared.h"
+#include "deformers/handle_checks.h"
 #include "geometry/error.h"
 #include "solvers/stopwatch.h"
 
@@ -59,7 +60,7 @@ void PrimoDeformation::reset() {
 }
 
 void PrimoDeformation::compile(const Handles& handles) {
-  baselines::check_handles(handles, rest_.V.cols());
+  check_handles(handles, rest_.V.cols());
   baselines::refuse_points(handles, "PriMo");
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
@@ -169,7 +170,7 @@ void PrimoDeformation::carry_along() {
 
 Report PrimoDeformation::update(const Eigen::Matrix3Xd& targets) {
   const Eigen::Index fixed = std::ssize(handles_.fixed);
-  baselines::check_targets(targets, std::ssize(handles_.moved));
+  check_targets(targets, std::ssize(handles_.moved));
   Report report;
   const RigidMotions before = motions_;
   Eigen::Matrix3Xd all(3, fixed + targets.cols());
@@ -185,7 +186,7 @@ Report PrimoDeformation::update(const Eigen::Matrix3Xd& targets) {
   report.nodes = static_cast<int>(prisms_.T.cols());
   report.edges = static_cast<int>(prisms_.joints.size());
   report.length_unit = unit_;
-  baselines::measure_handles(deformed_.V(Eigen::all, handles_.moved), targets, report);
+  measure_handles(deformed_.V(Eigen::all, handles_.moved), targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = report.solve.seconds["total"];
   report.notes = registration_notes_;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "deformers/baselines/shared.h"
+#include "deformers/handle_checks.h"
 #include "geometry/error.h"
 #include "solvers/stopwatch.h"
 
@@ -50,8 +50,7 @@ RbfDeformation::RbfDeformation(Shape rest, const RbfOptions& options)
 }
 
 void RbfDeformation::compile(const Handles& handles) {
-  baselines::check_handles(handles, rest_.V.cols());
-  if (!handles.points.allFinite()) throw InputError("a handle's place is not finite");
+  check_handles(handles, rest_.V.cols());
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
   notes_.clear();
@@ -142,7 +141,7 @@ Eigen::MatrixXd RbfDeformation::fit(const Eigen::Matrix3Xd& displacements) const
 
 Report RbfDeformation::update(const Eigen::Matrix3Xd& targets) {
   const Eigen::Index moved = handles_.cols() - std::ssize(fixed_);
-  baselines::check_targets(targets, moved);
+  check_targets(targets, moved);
   Report report;
   report.solve.method = "rbf";
   report.solve.linear_solver = "dense_qr";
@@ -171,7 +170,7 @@ Report RbfDeformation::update(const Eigen::Matrix3Xd& targets) {
   }
   const Eigen::Matrix3Xd fitted = w_ * basis(handles_);
   report.solve.final_cost = (fitted - displacements).squaredNorm();
-  baselines::measure_handles((handles_ + fitted).rightCols(moved), targets, report);
+  measure_handles((handles_ + fitted).rightCols(moved), targets, report);
   return report;
 }
 
