@@ -3,7 +3,7 @@
 #include <limits>
 #include <sstream>
 
-#include "deformers/baselines/shared.h"
+#include "deformers/handle_checks.h"
 #include "deformers/staged_steps.h"
 #include "deformers/two_step.h"
 #include "geometry/deformation_graph.h"
@@ -70,7 +70,7 @@ Place RigidShape::place_at(const Eigen::Vector2d& point) const {
 void RigidShape::compile(const Handles& handles) {
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
-  baselines::check_handles(handles, rest_.V.cols());
+  check_handles(handles, rest_.V.cols());
   std::vector<Place> places;
   for (const auto* vertices : {&handles.fixed, &handles.moved}) {
     for (const int v : *vertices) places.push_back(Place::at_vertex(v));
@@ -99,7 +99,7 @@ void RigidShape::measure_triangles(Report& report) const {
 }
 
 Report RigidShape::update(const Eigen::Matrix3Xd& targets) {
-  baselines::check_targets(targets, std::ssize(places_) - fixed_);
+  check_targets(targets, std::ssize(places_) - fixed_);
   targets_.rightCols(targets.cols()) = targets.topRows<2>();
   Report report;
   {
@@ -120,7 +120,7 @@ Report RigidShape::update(const Eigen::Matrix3Xd& targets) {
   for (Eigen::Index l = 0; l < targets.cols(); ++l) {
     reached.col(l).head<2>() = places_[fixed_ + l].at(V);
   }
-  baselines::measure_handles(reached, targets, report);
+  measure_handles(reached, targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.notes = steps_->notes();
   return report;
