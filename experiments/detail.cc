@@ -2,8 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace deformlab {
@@ -13,38 +16,67 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr double kNoDetail = 1e-9;  // of the diagonal
 
+// The vertices of edges that have one triangle: there a surface ends.
+std::vector<char> on_boundary(const Eigen::Matrix3Xi& T, Eigen::Index count) {
+  std::map<std::pair<int, int>, int> triangles;
+  for (const auto t : T.colwise()) {
+    for (int i = 0; i < 3; ++i) ++triangles[std::minmax({t[i], t[(i + 1) % 3]})];
+  }
+  std::vector<char> result(count, 0);
+  for (const auto& [edge, its] : triangles) {
+    if (its == 1) result[edge.first] = result[edge.second] = 1;
+  }
+  return result;
+}
+
 // The smooth base of surfaces that share one triangulation.
 class Smoother {
  public:
   Smoother(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, double length)
-      : mass_(Eigen::VectorXd::Constant(V.cols(), 1e-12 * length * length)) {
-    std::vector<Eigen::Triplet<double>> entries;
+      : held_(on_boundary(T, V.cols())),
+        mass_(Eigen::VectorXd::Constant(V.cols(), 1e-12 * length * length)) {
     for (const auto t : T.colwise()) {
-      for (int i = 0; i < 3; ++i) {
-        const int a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
-        const Eigen::Vector3d u = V.col(a) - V.col(c), w = V.col(b) - V.col(c);
-        const double area = u.cross(w).norm() / 2;
-        if (!(area > 0)) continue;
-        // A negative weight, at an obtuse angle, could turn smoothing into its opposite.
-        const double weight = std::max(0.0, length * length * u.dot(w) / (4 * area));
-        entries.insert(entries.end(),
-                       {{a, a, weight}, {b, b, weight}, {a, b, -weight}, {b, a, -weight}});
-        mass_[c] += area / 3;
-      }
+      for (int i = 0; i < 3; ++i) add_corner(V, t[i], t[(i + 1) % 3], t[(i + 2) % 3], length);
     }
-    for (int i = 0; i < V.cols(); ++i) entries.emplace_back(i, i, mass_[i]);
+    for (int i = 0; i < V.cols(); ++i) {
+      if (held_[i]) mass_[i] = 1;
+      free_.emplace_back(i, i, mass_[i]);
+    }
     Matrix A(V.cols(), V.cols());
-    A.setFromTriplets(entries.begin(), entries.end());
+    A.setFromTriplets(free_.begin(), free_.end());
     solver_.compute(A);
+    coupling_.resize(V.cols(), V.cols());
+    coupling_.setFromTriplets(to_held_.begin(), to_held_.end());
   }
 
   Eigen::Matrix3Xd base(const Eigen::Matrix3Xd& V) const {
-    const Eigen::MatrixXd once = solver_.solve(mass_.asDiagonal() * V.transpose());
-    return solver_.solve(mass_.asDiagonal() * once).transpose();
+    Eigen::MatrixXd b = V.transpose();
+    for (int twice = 0; twice < 2; ++twice) {
+      b = solver_.solve(mass_.asDiagonal() * b - coupling_ * b).eval();
+    }
+    return b.transpose();
   }
 
  private:
+  // The cotangent at c of the edge from a to b.
+  void add_corner(const Eigen::Matrix3Xd& V, int a, int b, int c, double length) {
+    const Eigen::Vector3d u = V.col(a) - V.col(c), w = V.col(b) - V.col(c);
+    const double area = u.cross(w).norm() / 2;
+    if (!(area > 0)) return;
+    // A negative weight, at an obtuse angle, could turn smoothing into its opposite.
+    const double weight = std::max(0.0, length * length * u.dot(w) / (4 * area));
+    for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
+      if (held_[i]) continue;
+      free_.emplace_back(i, i, weight);
+      (held_[j] ? to_held_ : free_).emplace_back(i, j, -weight);
+    }
+    mass_[c] += area / 3;
+  }
+
+  std::vector<char> held_;
+  std::vector<Eigen::Triplet<double>> free_, to_held_;
   Eigen::VectorXd mass_;
+  Matrix coupling_;
   Eigen::SimplicialLDLT<Matrix> solver_;
 };
 

@@ -3,7 +3,6 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -57,6 +56,15 @@ Shape shape_of(Mesh& mesh) {
   return shape;
 }
 
+// CGAL's own count edges, of which a collapse takes three, or two at a boundary.
+struct StopAtVertices {
+  std::size_t wanted;
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const {
+    return profile.surface_mesh().number_of_vertices() <= wanted;
+  }
+};
+
 }  // namespace
 
 Shape resampled(const Shape& shape, int vertices) {
@@ -68,10 +76,7 @@ Shape resampled(const Shape& shape, int vertices) {
   while (static_cast<int>(mesh.number_of_vertices()) < vertices) {
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
   }
-  const auto surplus = mesh.number_of_vertices() - static_cast<std::size_t>(vertices);
-  // A collapse inside a surface takes one vertex and three edges away.
-  sms::Count_stop_predicate<Mesh> stop(mesh.number_of_edges() - 3 * surplus);
-  sms::edge_collapse(mesh, stop);
+  sms::edge_collapse(mesh, StopAtVertices{static_cast<std::size_t>(vertices)});
   Shape result = shape_of(mesh);
   if (std::abs(result.V.cols() - vertices) > 0.01 * vertices) {
     throw InputError("shape.vertices is " + std::to_string(vertices) + ", but the shape comes to " +

@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
         Claimed{"Spread", "over: spread, at_most: 0.67", 0, "0.6667, expected at most 0.67 ok"},
         Claimed{"Range", "over: range, at_most: 10", 0, "10, expected at most 10 ok"},
         Claimed{"Per", "per: nodes, equals: 1", 0, "1, expected 1 ok"},
-        Claimed{"Exponent", "over: exponent, against: unknowns, equals: 1, within: 1e-9", 0,
+        Claimed{"Exponent", "over: exponent, against: nodes, equals: 1, within: 1e-9", 0,
                 "1, expected 1 within 1e-07 % ok"},
         Claimed{"Versus", "where: {graph.nodes: 20}, versus: {graph.nodes: 10}, equals: 2", 0,
                 "2, expected 2 ok"}),
