@@ -110,7 +110,7 @@ class Reader {
     std::map<std::pair<int, int>, std::string> edges;  // and the line of each
     for (const Ends& e : ends_) {
       check(e);
-      const auto [lo, hi] = std::minmax(static_cast<int>(e.from), static_cast<int>(e.to));
+      const auto [lo, hi] = std::minmax({static_cast<int>(e.from), static_cast<int>(e.to)});
       const auto [first, is_new] = edges.try_emplace({lo - 1, hi - 1}, e.line);
       if (!is_new) {
         reject(name_, e.line + ": the edge between " + called(lo) + " and " + called(hi) +

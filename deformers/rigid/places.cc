@@ -25,7 +25,7 @@ std::vector<int> first_of_cluster(const std::vector<Place>& places, Eigen::Index
         other = i;
         continue;
       }
-      const auto [low, high] = std::minmax(root(parent, i), root(parent, other));
+      const auto [low, high] = std::minmax({root(parent, i), root(parent, other)});
       parent[high] = low;
     }
   }
