@@ -20,7 +20,8 @@ struct RigidShapeOptions {
   /// How often step two is repeated with rotations fitted to its own result. 0 is the paper's; many
   /// come to the minimum of the as-rigid-as-possible energy.
   int refinements = 0;
-  SolverOptions solver = {.epsilon = 1e-14};  ///< of stages
+  /// Of stages. Ceres' dogleg begins with a full step, which ends a linear stage.
+  SolverOptions solver = {.ceres_trust_region = "dogleg", .epsilon = 1e-14};
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {

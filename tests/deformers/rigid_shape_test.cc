@@ -1,0 +1,154 @@
+#include "deformers/rigid_shape.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "geometry/error.h"
+#include "tests/support/problems.h"
+
+// The deformer around the two steps: handles in, a shape and a report out.
+namespace deformlab::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const Triangulation& sheet() {
+  static const Triangulation mesh = shaken_grid(9, 2);
+  return mesh;
+}
+
+RigidShapeOptions with(const char* steps) {
+  RigidShapeOptions options;
+  options.steps = steps;
+  return options;
+}
+
+Handles corner_and_place() {
+  Handles handles;
+  handles.fixed = {0};
+  handles.moved = {80};
+  handles.points = Eigen::Vector3d(1.3, 1.6, 0);
+  return handles;
+}
+
+Eigen::Matrix3Xd targets() {
+  Eigen::Matrix3Xd result(3, 2);
+  result.col(0) << sheet().V.col(80) + Eigen::Vector2d(0.5, -0.4), 0;
+  result.col(1) << 1.1, 2, 0;
+  return result;
+}
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RigidShape, MovesWhatIsMovedAndKeepsWhatIsFixed) {
+  for (const char* steps : {"closed_form", "stages"}) {
+    RigidShape deformer(sheet(), {}, with(steps));
+    deformer.compile(corner_and_place());
+    const Report report = deformer.update(targets());
+    EXPECT_EQ(report.solve.status, Status::kConverged);
+    EXPECT_LT(report.handle_max, 1e-10);
+    EXPECT_EQ(report.nodes, 81);
+    EXPECT_EQ(report.inside_out, 0);
+    EXPECT_GT(report.min_det_R, 0.2);
+    const Eigen::Matrix3Xd& V = deformer.deformed().V;
+    EXPECT_LT((V.col(0).head<2>() - sheet().V.col(0)).norm(), 1e-12);
+    EXPECT_LT((V.col(80) - targets().col(0)).norm(), 1e-12);
+    EXPECT_EQ(V.row(2).norm(), 0);
+    EXPECT_EQ(deformer.deformed().faces.size(), 128u);
+  }
+}
+
+TEST(RigidShape, BothWaysComeToOneShape) {
+  RigidShape closed_form(sheet(), {}, with("closed_form")), stages(sheet(), {}, with("stages"));
+  for (RigidShape* deformer : {&closed_form, &stages}) {
+    deformer->compile(corner_and_place());
+    deformer->update(targets());
+  }
+  EXPECT_LT((closed_form.deformed().V - stages.deformed().V).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((closed_form.intermediate() - stages.intermediate()).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((closed_form.fitted() - stages.fitted()).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(RigidShape, TheResultDoesNotDependOnTheWay) {
+  RigidShape dragged(sheet(), {}, {}), at_once(sheet(), {}, {});
+  dragged.compile(corner_and_place());
+  at_once.compile(corner_and_place());
+  Eigen::Matrix3Xd rest(3, 2);
+  rest << sheet().V.col(80), corner_and_place().points.topRows<2>(), 0, 0;
+  for (int i = 0; i <= 10; ++i) dragged.update(rest + 0.1 * i * (targets() - rest));
+  at_once.update(targets());
+  EXPECT_LT((dragged.deformed().V - at_once.deformed().V).norm(), 1e-11);
+}
+
+TEST(RigidShape, ResetsToRestAndKeepsItsHandles) {
+  RigidShape deformer(sheet(), {}, {});
+  deformer.compile(corner_and_place());
+  const Report first = deformer.update(targets());
+  const Eigen::Matrix3Xd V = deformer.deformed().V;
+  deformer.reset();
+  EXPECT_EQ(deformer.deformed().V.topRows<2>(), sheet().V);
+  deformer.update(targets());
+  EXPECT_EQ(deformer.deformed().V, V);
+}
+
+TEST(RigidShape, TakesPlacesOnTheBoundaryAndAtCorners) {
+  Handles handles;
+  const Eigen::Vector2d a = sheet().V.col(0), b = sheet().V.col(1), c = sheet().V.col(40);
+  handles.points.resize(3, 3);
+  handles.points << a, 0.3 * a + 0.7 * b, c, 0, 0, 0;
+  RigidShape deformer(sheet(), {}, {});
+  deformer.compile(handles);
+  Eigen::Matrix3Xd to = handles.points;
+  to.col(2).x() += 1;
+  EXPECT_LT(deformer.update(to).handle_max, 1e-12);
+  EXPECT_LT((deformer.deformed().V.col(40).head<2>() - to.col(2).head<2>()).norm(), 1e-12);
+}
+
+TEST(RigidShape, SaysWhereAHandleOutsideCouldBe) {
+  RigidShape deformer(sheet(), {}, {});
+  Handles handles;
+  handles.points = Eigen::Vector3d(1.5, -2, 0);
+  EXPECT_THAT(refusal([&] { deformer.compile(handles); }),
+              AllOf(HasSubstr("(1.5, -2)"), HasSubstr("outside"), HasSubstr("nearest")));
+  handles.points.setConstant(std::nan(""));
+  EXPECT_NE(refusal([&] { deformer.compile(handles); }), "");
+}
+
+TEST(RigidShape, RefusesBadHandlesTargetsAndOptions) {
+  RigidShape deformer(sheet(), {}, {});
+  EXPECT_THAT(refusal([&] { deformer.compile({.fixed = {}, .moved = {81}}); }), HasSubstr("81"));
+  EXPECT_THAT(refusal([&] { deformer.compile({.fixed = {3}, .moved = {3}}); }), HasSubstr("both"));
+  deformer.compile(corner_and_place());
+  EXPECT_THAT(refusal([&] { deformer.update(Eigen::Matrix3Xd::Zero(3, 5)); }), HasSubstr("5"));
+  Eigen::Matrix3Xd endless = targets();
+  endless(0, 1) = INFINITY;
+  EXPECT_THAT(refusal([&] { deformer.update(endless); }), HasSubstr("finite"));
+  RigidShapeOptions options;
+  options.refinements = -1;
+  EXPECT_THAT(refusal([&] { RigidShape(sheet(), {}, options); }), HasSubstr("-1"));
+  EXPECT_THAT(refusal([&] { RigidShape(sheet(), {}, with("magic")); }), HasSubstr("magic"));
+}
+
+TEST(RigidShape, TargetsTooFarAwayAreAFailureThatIsReported) {
+  RigidShape deformer(sheet(), {}, {});
+  deformer.compile(corner_and_place());
+  deformer.update(targets());
+  const Eigen::Matrix3Xd V = deformer.deformed().V;
+  const Report report = deformer.update(4e307 * targets());
+  EXPECT_EQ(report.solve.status, Status::kFailed);
+  EXPECT_EQ(deformer.deformed().V, V);
+  EXPECT_LT(deformer.update(targets()).handle_max, 1e-12);
+}
+
+}  // namespace
+}  // namespace deformlab::test
