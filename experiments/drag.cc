@@ -40,6 +40,9 @@ DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
       result.last = deformer.update((1 - share) * from + share * edit.targets);
     }
     const auto steps = static_cast<double>(result.last.solve.iterations.size());
+    for (const auto& [phase, its] : result.last.solve.seconds) {
+      result.seconds["seconds.update." + phase] += its / updates;
+    }
     most = std::max(most, steps);
     sum += steps;
     after();

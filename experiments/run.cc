@@ -134,7 +134,8 @@ void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& optio
 std::string label(const MeasuredRun& run) {
   std::string text;
   for (const auto& [key, value] : run.settings) {
-    const bool word = !value.empty() && std::isalpha(static_cast<unsigned char>(value.front()));
+    const bool word = !value.empty() && std::isalpha(static_cast<unsigned char>(value.front())) &&
+                      value != "true" && value != "false";
     const std::string name = word ? "" : key.substr(key.rfind('.') + 1) + " ";
     text += (text.empty() ? "" : ", ") + name + value;
   }
