@@ -7,7 +7,7 @@
 namespace deformlab {
 namespace {
 
-constexpr int kNeighbors = GraphOptions{}.neighbors;
+const int kNeighbors = GraphOptions{}.neighbors;
 
 void sample(benchmark::State& state) {
   const Shape& shape = reference_scene().shape;

@@ -41,6 +41,11 @@ class PanelCholeskyOf : public ::testing::Test {
     return result;
   }
 
+  static Eigen::MatrixXcd dense(const Sparse& lower) {
+    const Sparse whole = lower.template selfadjointView<Eigen::Lower>();
+    return Dense(whole).template cast<Complex>();
+  }
+
   Eigen::VectorXcd random_vector(int n) {
     Eigen::VectorXcd z(n);
     for (auto& entry : z) entry = {normal_(random_), normal_(random_)};
@@ -68,9 +73,7 @@ TYPED_TEST(PanelCholeskyOf, SolvesAsADenseFactorDoes) {
       const auto lower = this->random_matrix(n, entries);
       PanelCholesky<TypeParam> factor;
       ASSERT_TRUE(factor.factorize(lower));
-      const Eigen::MatrixXcd A =
-          typename TestFixture::Dense(lower.template selfadjointView<Eigen::Lower>())
-              .template cast<Complex>();
+      const Eigen::MatrixXcd A = this->dense(lower);
       Eigen::VectorXcd z = this->random_vector(n);
       const Eigen::VectorXcd expected = A.llt().solve(z);
       factor.solve(z);
@@ -103,8 +106,7 @@ TYPED_TEST(PanelCholeskyOf, MayBeFactoredAgain) {
     const auto lower = this->random_matrix(n, 3 * n);
     ASSERT_TRUE(factor.factorize(lower));
     const Eigen::VectorXcd expected = this->random_vector(n);
-    Eigen::VectorXcd z =
-        lower.template cast<Complex>().eval().template selfadjointView<Eigen::Lower>() * expected;
+    Eigen::VectorXcd z = this->dense(lower) * expected;
     factor.solve(z);
     EXPECT_LT((z - expected).norm(), 1e-12 * expected.norm());
   }
