@@ -169,10 +169,10 @@ Eigen::Matrix3Xd matrix(const std::vector<Eigen::Vector3d>& columns) {
 /// Gathers the vertices of one entry after another and finds contradictions between them.
 class Resolver {
  public:
-  Resolver(const std::vector<EditEntry>& entries, const Shape& shape, const Levers& levers)
+  Resolver(const std::vector<EditEntry>& entries, const Shape& shape, const Rings& rings)
       : entries_(entries),
         shape_(shape),
-        levers_(levers),
+        rings_(rings),
         same_(1e-9 * bounding_box_diagonal(shape.V)),
         owner_(static_cast<std::size_t>(shape.V.cols()), -1),
         column_(owner_.size(), -1) {}
@@ -202,7 +202,7 @@ class Resolver {
       const bool exactly = entry.to && selected.size() == 1;  // free of rounding
       move(selected[k], e, exactly ? *entry.to : Eigen::Vector3d(motion * P.col(k)));
     }
-    if (entry.rotate && selected.size() == 1) add_lever(P.col(0), motion, e);
+    if (entry.rotate && selected.size() == 1) add_ring(P.col(0), motion, e);
   }
 
   void add_point(const Eigen::Vector3d& p, int e) {
@@ -212,24 +212,25 @@ class Resolver {
     check_range(target, e, "the place " + text_of(p));
     points_.push_back(p);
     point_targets_.push_back(target);
-    if (entry.rotate) add_lever(p, motion, e);
+    if (entry.rotate) add_ring(p, motion, e);
   }
 
-  // The other end of the lever, at the first of sixteen angles about the axis that is inside.
-  void add_lever(const Eigen::Vector3d& p, const Eigen::Isometry3d& motion, int e) {
-    if (levers_.length == 0) return;
+  // Eight places about the axis, as far as they are inside.
+  void add_ring(const Eigen::Vector3d& p, const Eigen::Isometry3d& motion, int e) {
+    if (rings_.radius == 0) return;
     const Eigen::Vector3d axis = entries_[e].rotate->axis.stableNormalized();
-    const Eigen::Vector3d arm = levers_.length * axis.unitOrthogonal();
-    for (int i = 0; i < 16; ++i) {
-      const Eigen::Vector3d end = p + Eigen::AngleAxisd(i * std::numbers::pi / 8, axis) * arm;
-      if (!levers_.inside(end)) continue;
+    const Eigen::Vector3d arm = rings_.radius * axis.unitOrthogonal();
+    const std::size_t before = points_.size();
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d end = p + Eigen::AngleAxisd(i * std::numbers::pi / 4, axis) * arm;
+      if (!rings_.inside(end)) continue;
       points_.push_back(end);
       point_targets_.push_back(motion * end);
-      return;
     }
+    if (points_.size() > before) return;
     std::ostringstream message;
     message << entries_[e].where << ": a rotation handle needs a place inside the shape "
-            << levers_.length << " from " << text_of(p) << ", and there is none; move it inwards";
+            << rings_.radius << " from " << text_of(p) << ", and there is none; move it inwards";
     throw InputError(message.str());
   }
 
@@ -271,7 +272,7 @@ class Resolver {
 
   const std::vector<EditEntry>& entries_;
   const Shape& shape_;
-  const Levers& levers_;
+  const Rings& rings_;
   const double same_;        ///< targets this close are one place: they differ by rounding
   std::vector<int> owner_;   ///< by vertex: the entry that took it first, or -1
   std::vector<int> column_;  ///< by vertex: its column of the targets, or -1
@@ -314,10 +315,10 @@ std::vector<EditEntry> read_edit_file(const std::filesystem::path& path) {
 }
 
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
-                     const Levers& levers) {
+                     const Rings& rings) {
   if (entries.empty()) throw InputError("the edit has no entries");
   if (shape.V.cols() == 0) throw InputError("the shape to edit has no vertices");
-  return Resolver(entries, shape, levers).run();
+  return Resolver(entries, shape, rings).run();
 }
 
 }  // namespace deformlab

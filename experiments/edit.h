@@ -108,11 +108,12 @@ struct ResolvedEdit {
   Eigen::Matrix3Xd targets;  ///< 3×#: where handles.moved go, then handles.points [length]
 };
 
-/// A single place cannot show that it turns. One that is rotated takes a second place along, a
-/// lever, so that the shape there follows its angle (Igarashi et al. 2005, Figure 16).
-struct Levers {
-  double length = 0;  ///< distance of the second place [length]; 0: single places do not turn
-  /// Whether a place lies in the shape, where the lever's other end has to.
+/// A single place cannot show that it turns. One that is rotated takes a ring of places around it
+/// along, so that the shape there follows its angle however fine its mesh is (Igarashi et al. 2005,
+/// Figure 16).
+struct Rings {
+  double radius = 0;  ///< [length]; 0: single places do not turn
+  /// Whether a place lies in the shape; of a ring those that do are taken.
   std::function<bool(const Eigen::Vector3d&)> inside = [](const Eigen::Vector3d&) { return true; };
 };
 
@@ -121,7 +122,7 @@ struct Levers {
 /// is empty, a vertex is both fixed and moved or moved to two places, a target is not finite, or
 /// there are no entries.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
-                     const Levers& levers = {});
+                     const Rings& rings = {});
 
 /// The vertices of a selection, ascending, each once; `where` is what messages call it. Throws
 /// InputError where there is none or the selection is of a place that need be no vertex.

@@ -7,7 +7,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kLever = 0.04;  // of the drawing's diagonal
+constexpr double kRing = 0.04;  // of the drawing's diagonal
 
 ConfigNode scalar(const ConfigNode& like, const std::string& text) {
   ConfigNode node = like;
@@ -96,7 +96,7 @@ ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Triangulation&
   const auto inside = [&](const Eigen::Vector3d& p) {
     return locate(p.head<2>()).distance <= 1e-9 * size;
   };
-  return resolve(entries, shape, {kLever * size, inside});
+  return resolve(entries, shape, {kRing * size, inside});
 }
 
 }  // namespace deformlab

@@ -17,7 +17,7 @@ std::vector<EditEntry> read_plane_edit(const ConfigNode& edit);
 std::vector<EditEntry> read_plane_edit_file(const std::filesystem::path& path);
 
 /// `resolve` for a drawing's mesh at rest. A place that is rotated becomes a rotation handle with a
-/// lever of 4 % of the drawing's diagonal, whatever the mesh.
+/// ring of 4 % of the drawing's diagonal around it, whatever the mesh.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Triangulation& rest);
 
 }  // namespace deformlab

@@ -59,23 +59,26 @@ TEST(PlaneEdit, AHandleMayLieAnywhere) {
   EXPECT_EQ(edit.targets.col(2), Eigen::Vector3d(4, 4, 0));
 }
 
-TEST(PlaneEdit, ARotationHandleTakesALeverAlong) {
+TEST(PlaneEdit, ARotationHandleTakesARingAlong) {
   for (const std::string rotate : {"90", "{degrees: 90}"}) {
     const ResolvedEdit edit =
         resolved("- {select: {point: [5, 5]}, rotate: " + rotate + ", by: [1, 0]}");
-    ASSERT_EQ(edit.handles.points.cols(), 2);
-    const Eigen::Vector3d arm = edit.handles.points.col(1) - edit.handles.points.col(0);
-    EXPECT_NEAR(arm.norm(), 0.04 * std::sqrt(200.0), 1e-12);
+    ASSERT_EQ(edit.handles.points.cols(), 9);
     EXPECT_LT((edit.targets.col(0) - Eigen::Vector3d(6, 5, 0)).norm(), 1e-12);
-    const Eigen::Vector3d turned(-arm.y(), arm.x(), 0);  // x towards y
-    EXPECT_LT((edit.targets.col(1) - edit.targets.col(0) - turned).norm(), 1e-12);
+    for (int i = 1; i < 9; ++i) {
+      const Eigen::Vector3d arm = edit.handles.points.col(i) - edit.handles.points.col(0);
+      EXPECT_NEAR(arm.norm(), 0.04 * std::sqrt(200.0), 1e-12);
+      const Eigen::Vector3d turned(-arm.y(), arm.x(), 0);  // x towards y
+      EXPECT_LT((edit.targets.col(i) - edit.targets.col(0) - turned).norm(), 1e-12);
+    }
   }
 }
 
-TEST(PlaneEdit, ALeverStaysInsideTheShape) {
+TEST(PlaneEdit, ARingStaysInsideTheShape) {
   const ResolvedEdit edit = resolved("- {select: {point: [9.9, 0.1]}, rotate: 10}");
-  EXPECT_LE(edit.handles.points(0, 1), 10);
-  EXPECT_GE(edit.handles.points(1, 1), 0);
+  EXPECT_LT(edit.handles.points.cols(), 9);
+  EXPECT_LE(edit.handles.points.row(0).maxCoeff(), 10);
+  EXPECT_GE(edit.handles.points.row(1).minCoeff(), 0);
 }
 
 TEST(PlaneEdit, SaysWhatADrawingCannotHave) {
