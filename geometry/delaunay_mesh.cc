@@ -1,44 +1,22 @@
 #include "geometry/delaunay_mesh.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
-#include <CGAL/Delaunay_mesh_vertex_base_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/lloyd_optimize_mesh_2.h>
 
+#include <limits>
 #include <unordered_map>
+
+#include "geometry/delaunay.h"
+#include "geometry/delaunay_relaxation.h"
 
 namespace deformlab {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_2;
+using Point = DelaunayKernel::Point_2;
 
 constexpr double kAngle = 0.125;  // the squared sine of the least angle, 20.7°
 constexpr double kLongest = 1.4;  // edge, in units of the spacing: makes edges of about one
-
-// CGAL sorts vertices by their address unless they are stamped: results would differ between runs.
-template <class Base = CGAL::Delaunay_mesh_vertex_base_2<Kernel>>
-class StampedVertex : public Base {
- public:
-  using Base::Base;
-  template <class Structure>
-  struct Rebind_TDS {
-    using Other = StampedVertex<typename Base::template Rebind_TDS<Structure>::Other>;
-  };
-  using Has_timestamp = CGAL::Tag_true;
-  std::size_t time_stamp() const { return stamp_; }
-  void set_time_stamp(std::size_t stamp) { stamp_ = stamp; }
-
- private:
-  std::size_t stamp_ = static_cast<std::size_t>(-1);
-};
-
-using Structure =
-    CGAL::Triangulation_data_structure_2<StampedVertex<>, CGAL::Delaunay_mesh_face_base_2<Kernel>>;
-using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
+constexpr int kMostSteps = 20;    // a vertex; each makes one, or sees that one is not needed
 
 // What the mesher has to mend: small angles and, of a scale above 0, edges longer than that many
 // times the spacing.
@@ -57,7 +35,7 @@ class Criteria : public CGAL::Delaunay_mesh_size_criteria_2<Delaunay> {
       const Point center = CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(),
                                           face->vertex(2)->point());
       const double longest = scale * (*spacing)({center.x(), center.y()});
-      return typename Base::Is_bad(kAngle, longest, Kernel())(face, q);
+      return typename Base::Is_bad(kAngle, longest, DelaunayKernel())(face, q);
     }
     const Spacing* spacing;
     double scale;
@@ -94,20 +72,41 @@ Point place_in(const Eigen::Matrix2Xd& polygon) {
   return result;
 }
 
-void refine(Delaunay& delaunay, const std::vector<Point>& seeds, const Criteria& criteria) {
-  Mesher mesher(delaunay, criteria);
-  mesher.set_seeds(seeds.begin(), seeds.end());
-  mesher.refine_mesh();
-}
+// One region on its way to a mesh.
+class Refiner {
+ public:
+  Refiner(const Region& region, const Spacing& spacing, int most_vertices)
+      : spacing_(spacing), most_(static_cast<std::size_t>(most_vertices)) {
+    insert(region.outline, delaunay_);
+    for (const auto& hole : region.holes) {
+      insert(hole, delaunay_);
+      seeds_.push_back(place_in(hole));
+    }
+  }
 
-void relax(Delaunay& delaunay, const std::vector<Point>& seeds, int passes) {
-  namespace parameters = CGAL::parameters;
-  // Never stopped by a clock; freezing vertices would need CGAL's order of them to stay as it is.
-  CGAL::lloyd_optimize_mesh_2(delaunay, parameters::max_iteration_number = passes,
-                              parameters::convergence = 0.0, parameters::freeze_bound = 0.0,
-                              parameters::seeds_begin = seeds.begin(),
-                              parameters::seeds_end = seeds.end());
-}
+  // Adds vertices where edges are longer than so many times the spacing (0: whatever they are) or
+  // angles too small, the longest first, until there are enough. False where there would be too
+  // many, or nothing came of many steps.
+  bool refine(double longest, std::size_t enough) {
+    Mesher mesher(delaunay_, {spacing_, longest});
+    mesher.set_seeds(seeds_.begin(), seeds_.end());
+    mesher.init();
+    for (std::size_t step = 0; step < kMostSteps * most_; ++step) {
+      if (delaunay_.number_of_vertices() > most_) return false;
+      if (delaunay_.number_of_vertices() >= enough) return true;
+      if (!mesher.try_one_step_refine_mesh()) return true;
+    }
+    return false;
+  }
+
+  Delaunay& delaunay() { return delaunay_; }
+
+ private:
+  Delaunay delaunay_;
+  std::vector<Point> seeds_;
+  const Spacing& spacing_;
+  std::size_t most_;
+};
 
 Triangulation extracted(const Delaunay& delaunay) {
   std::unordered_map<Delaunay::Vertex_handle, int> number;
@@ -130,20 +129,16 @@ Triangulation extracted(const Delaunay& delaunay) {
 
 }  // namespace
 
-Triangulation delaunay_mesh(const Region& region, const Spacing& spacing, int passes) {
-  Delaunay delaunay;
-  insert(region.outline, delaunay);
-  std::vector<Point> seeds;
-  for (const auto& hole : region.holes) {
-    insert(hole, delaunay);
-    seeds.push_back(place_in(hole));
-  }
-  refine(delaunay, seeds, {spacing, kLongest});
-  if (passes > 0) {
-    relax(delaunay, seeds, passes);
-    refine(delaunay, seeds, {spacing, 0});
-  }
-  return extracted(delaunay);
+std::optional<Triangulation> delaunay_mesh(const Region& region, const Spacing& spacing,
+                                           const Refinement& refinement) {
+  constexpr std::size_t kNeverEnough = std::numeric_limits<std::size_t>::max();
+  const auto least = static_cast<std::size_t>(refinement.least_vertices);
+  Refiner refiner(region, spacing, refinement.most_vertices);
+  if (!refiner.refine(kLongest, kNeverEnough)) return {};
+  if (!refiner.refine(kLongest / 2, least)) return {};
+  relax(refiner.delaunay(), spacing, refinement.passes);
+  if (!refiner.refine(0, kNeverEnough)) return {};
+  return extracted(refiner.delaunay());
 }
 
 }  // namespace deformlab
