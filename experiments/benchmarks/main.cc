@@ -10,12 +10,13 @@
 
 #include "experiments/benchmarks/comparison.h"
 #include "experiments/benchmarks/growth.h"
+#include "experiments/benchmarks/rigid_comparison.h"
 #include "experiments/environment.h"
 #include "experiments/results.h"
 #include "geometry/error.h"
 
 DEFINE_string(comparison, "auto",
-              "compare with Ceres' configurations: yes, no, or auto: unless a filter is given");
+              "with the peers: yes, no, rigid (drawings only), or auto: unless a filter is given");
 DEFINE_int32(repetitions, 5, "of each pair in the comparison");
 DEFINE_string(report, "", "write all figures into this Markdown file");
 
@@ -53,7 +54,19 @@ std::string compare_all(bool& holds) {
   return text + blas;
 }
 
-std::string report(const std::string& figures, const std::string& comparisons) {
+std::string compare_rigid_shapes(bool& holds) {
+  std::vector<RigidComparison> all;
+  for (const int vertices : {93, 150, 300, 1000, 5000, 20000}) {
+    all.push_back(compare_rigid(vertices, FLAGS_repetitions));
+    holds = holds && all.back().holds();
+  }
+  std::string text = to_markdown(all);
+  std::cout << text << std::flush;
+  return text;
+}
+
+std::string report(const std::string& figures, const std::string& comparisons,
+                   const std::string& rigid) {
   return "# Benchmarks\n\nWritten by `./deformlab bench --report=results/benchmarks.md`. Ratios "
          "mean something on another machine, milliseconds do not.\n\n" +
          context() +
@@ -62,16 +75,18 @@ std::string report(const std::string& figures, const std::string& comparisons) {
          "and stop by the same rule, in turns, on one thread. A step is the mean of a solve's: "
          "without our compilation and without Ceres' preprocessing. A whole solve is with both.\n"
          "\n" +
-         comparisons + "\n## Figures\n\n" + figures;
+         comparisons +
+         "\n## A drawing against CGAL\n\nThe rigid 2D shape beside CGAL's Surface_mesh_deformation "
+         "(spokes and rims, Eigen's SparseLU) on the same mesh, three handles, one thread.\n\n" +
+         rigid + "\n## Figures\n\n" + figures;
 }
 
 void print_help() {
   benchmark::PrintDefaultHelp();
-  std::cout
-      << "deformlab_bench's own:\n"
-         "          [--comparison=auto|yes|no] with Ceres' configurations (auto: unless filtered)\n"
-         "          [--repetitions=<pairs of solves>]\n"
-         "          [--report=<Markdown file>]\n";
+  std::cout << "deformlab_bench's own:\n"
+               "          [--comparison=auto|yes|no|rigid] with the peers (auto: unless filtered)\n"
+               "          [--repetitions=<pairs of solves>]\n"
+               "          [--report=<Markdown file>]\n";
 }
 
 int run(bool filtered) {
@@ -82,11 +97,11 @@ int run(bool filtered) {
   const std::string figures = reporter.to_markdown();
   std::cout << "\n" << figures << "\n" << std::flush;
   bool holds = true;
-  std::string comparisons;
-  if (FLAGS_comparison == "yes" || (FLAGS_comparison == "auto" && !filtered)) {
-    comparisons = compare_all(holds);
-  }
-  if (!FLAGS_report.empty()) write_text(FLAGS_report, report(figures, comparisons));
+  std::string comparisons, rigid;
+  const bool all = FLAGS_comparison == "yes" || (FLAGS_comparison == "auto" && !filtered);
+  if (all || FLAGS_comparison == "rigid") rigid = compare_rigid_shapes(holds);
+  if (all) comparisons = compare_all(holds);
+  if (!FLAGS_report.empty()) write_text(FLAGS_report, report(figures, comparisons, rigid));
   return holds ? 0 : 1;
 }
 
