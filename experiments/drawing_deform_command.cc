@@ -9,10 +9,12 @@
 #include "experiments/drawing/write_drawing.h"
 #include "experiments/drawing_pictures.h"
 #include "experiments/methods.h"
+#include "experiments/outputs.h"
 #include "experiments/override.h"
 #include "experiments/results.h"
 #include "experiments/run.h"
 #include "geometry/error.h"
+#include "geometry/shape_io.h"
 
 namespace deformlab {
 namespace {
@@ -63,6 +65,29 @@ void print(const Report& report, const DrawingScene& scene, const std::string& o
               report.handle_rms, out.c_str());
 }
 
+std::string stage_path(const std::string& out, const char* stage) {
+  return fs::path(out).replace_extension(std::string(".") + stage + ".obj").string();
+}
+
+// Throws where a file that was asked for could not be written, before the work.
+void check_stages(const DrawingDeformOptions& options, const Deformer& deformer,
+                  const DeformFlags& flags) {
+  if (!options.output.stages) return;
+  if (dynamic_cast<const RigidShape*>(&deformer) == nullptr) {
+    throw InputError("output.stages is true, but only deformer=rigid_shape has stages");
+  }
+  check_outputs({"", options.drawing.file, flags.edit, flags.out, flags.metrics, flags.picture},
+                {{stage_path(flags.out, "intermediate"), "output.stages"},
+                 {stage_path(flags.out, "fitted"), "output.stages"}});
+}
+
+void write_stages(const RigidShape& deformer, const Eigen::Matrix3Xi& F, const std::string& out) {
+  write_shape(stage_path(out, "intermediate"), to_shape({deformer.intermediate(), F}));
+  const auto corners = static_cast<int>(F.size());
+  const Eigen::VectorXi own = Eigen::VectorXi::LinSpaced(corners, 0, corners - 1);
+  write_shape(stage_path(out, "fitted"), to_shape({deformer.fitted(), own.reshaped(3, F.cols())}));
+}
+
 }  // namespace
 
 bool is_drawing(const std::vector<std::string>& arguments) {
@@ -85,6 +110,7 @@ int deform_drawing(const std::vector<std::string>& arguments, const DeformFlags&
   const ResolvedEdit edit = resolve(entries, scene.rest);
 
   const std::unique_ptr<Deformer> deformer = make_deformer(options.method, scene);
+  check_stages(options, *deformer, flags);
   deformer->compile(edit.handles);
   const Report report = deformer->update(edit.targets);
   for (const std::string& note : report.notes) LOG(WARNING) << note;
@@ -106,6 +132,9 @@ int deform_drawing(const std::vector<std::string>& arguments, const DeformFlags&
   }
   for (const auto& note : write_drawing(flags.out, *pictured.bound, V, depth, options.output)) {
     LOG(WARNING) << note;
+  }
+  if (options.output.stages) {
+    write_stages(dynamic_cast<const RigidShape&>(*deformer), scene.rest.F, flags.out);
   }
   if (!flags.metrics.empty()) write_text(flags.metrics, to_json(report));
   if (!flags.picture.empty()) write_png(picture, flags.picture);

@@ -14,11 +14,17 @@ struct DrawingOutputOptions {
   /// and vector drawings of under 200 or over 4,000 pixels, get 1,000 along the longer side.
   double resolution = 0;
   bool grow = true;  ///< the page grows to hold the shape; else it stays, and what leaves it is cut
+  /// Of a rigid shape, OUT.intermediate.obj and OUT.fitted.obj beside OUT: step one's mesh, and the
+  /// triangles fitted to it, each for itself (Igarashi et al. 2005, Figure 3).
+  bool stages = false;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("resolution", o.resolution, "pixels of a PNG a unit of length; 0: those of the drawing");
     visit("grow", o.grow, "false: the page stays as it is, and what leaves it is cut off");
+    visit("stages", o.stages,
+          "true: the meshes of a rigid shape's stages beside it, OUT.intermediate.obj, "
+          "OUT.fitted.obj");
   }
 };
 

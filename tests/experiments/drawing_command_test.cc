@@ -176,8 +176,11 @@ TEST_F(DrawingCommand, TakesAPathThatCrossesItselfAndFetchesNothing) {
       "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' "
       "width='120' height='80'><rect x='10' y='25' width='100' height='30'/>"
       "<image xlink:href='http://localhost:9/a.png' width='5' height='5'/></svg>");
-  const Ending ending = start(deform("linked.svg", kEdit, "out.png"));
+  const Ending ending = start(deform("linked.svg", kEdit, "out.svg"));
   EXPECT_THAT(ending.status, ::testing::AnyOf(0, 2)) << ending.err;
+  if (ending.status == 0) {
+    EXPECT_THAT(get("out.svg"), ::testing::Not(HasSubstr("localhost")));
+  }
 }
 
 TEST_F(DrawingCommand, RefusesOutputsThatCannotBe) {
@@ -197,6 +200,70 @@ TEST_F(DrawingCommand, SaysThatDetachedPartsAreLeftOut) {
   put_bitmap("two.png", two);
   EXPECT_THAT(expect_success(deform("two.png", kEdit, "out.png")).err,
               HasSubstr("kept the largest part"));
+}
+
+TEST_F(DrawingCommand, WritesTheStages) {
+  put_bitmap("bar.png", bar());
+  Words words = deform("bar.png", kEdit, "out.obj");
+  words.push_back("output.stages=true");
+  expect_success(words);
+  const Shape result = read_shape(place("out.obj"));
+  const Shape intermediate = read_shape(place("out.intermediate.obj"));
+  const Shape fitted = read_shape(place("out.fitted.obj"));
+  EXPECT_EQ(intermediate.V.cols(), result.V.cols());
+  EXPECT_EQ(fitted.V.cols(), 3 * std::ssize(result.faces));
+  EXPECT_GT((intermediate.V - result.V).norm(), 1e-3);
+  words.push_back("deformer=embedded_deformation");
+  expect_refused(words, {"output.stages", "rigid_shape"});
+}
+
+TEST_F(DrawingCommand, PaintsByAMask) {
+  put_bitmap("bar.png", bar());
+  Bitmap mask(120, 80);
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 40; x < 80; ++x) mask.pixel(x, y)[3] = 255;  // black
+  }
+  put_bitmap("mask.png", mask);
+  const auto distortion_with = [&](const std::string& paint) {
+    put("c.yaml", "drawing: {file: bar.png, vertices: 80}\n" + paint +
+                      "edit:\n"
+                      "  - {select: {point: [15, 40]}, fix: true}\n"
+                      "  - {select: {point: [60, 40]}, by: [0, 12]}\n"
+                      "  - {select: {point: [105, 40]}, by: [0, 0]}\n");
+    expect_success({"run", "c.yaml", "--out", "results"});
+    const auto metrics = nlohmann::json::parse(get("results/c/metrics.json"));
+    return metrics.at("runs").at(0).at("metrics");
+  };
+  const auto stiff = distortion_with("paint: [{mask: mask.png}]\n");
+  const auto weak = distortion_with("paint: [{mask: mask.png, weight: 1.0001}]\n");
+  EXPECT_LT(stiff.at("painted_shear_max").get<double>(),
+            0.1 * weak.at("painted_shear_max").get<double>());
+  put_bitmap("nothing.png", Bitmap(120, 80));
+  put("c.yaml", get("c.yaml").replace(get("c.yaml").find("mask.png"), 8, "nothing.png"));
+  expect_refused({"run", "c.yaml", "--out", "results"}, {"paint entry 1", "paints no triangle"});
+}
+
+TEST_F(DrawingCommand, TakesAVeryWideImage) {
+  Bitmap wide(20000, 240);
+  for (int y = 20; y < 220; ++y) {
+    for (int x = 5; x < 19995; ++x) wide.pixel(x, y)[3] = 255;
+  }
+  put_bitmap("wide.png", wide);
+  expect_success(deform("wide.png",
+                        "edit:\n  - {select: {point: [100, 120]}, fix: true}\n"
+                        "  - {select: {point: [19900, 120]}, by: [0, 50]}\n",
+                        "out.png"));
+  EXPECT_GE(read_png(place("out.png")).width, 19990);
+}
+
+TEST_F(DrawingCommand, APartWithoutAHandleStaysAndIsNamed) {
+  put("two.obj",
+      "v 10 25 0\nv 110 25 0\nv 110 55 0\nv 10 55 0\nv 10 65 0\nv 110 65 0\nv 110 75 0\n"
+      "f 1 2 3\nf 1 3 4\nf 5 6 7\n");
+  Words words = deform("two.obj", kEdit, "out.obj");
+  words.push_back("deformer=rigid_shape");
+  EXPECT_THAT(expect_success(words).err, HasSubstr("has no handle: it stays where it is"));
+  EXPECT_EQ(read_shape(place("out.obj")).V.col(6), Eigen::Vector3d(110, 75, 0));
 }
 
 TEST_F(DrawingCommand, HandlesThatCollapseAndComeBackLeaveTheShapeAsItWas) {
