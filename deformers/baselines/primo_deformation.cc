@@ -24,7 +24,7 @@ void check_range(const char* name, double value, double least, double most) {
 }
 
 void check(const PrimoOptions& o) {
-  check_range("height", o.height, 1e-3, 1e3);
+  check_range("height", o.height, 1e-5, 10);
   check_range("handle_weight", o.handle_weight, 1e-6, 1e9);
   check_range("epsilon", o.epsilon, 1e-30, 0.5);
   check_range("max_iterations", o.max_iterations, 1, 1e6);
@@ -41,7 +41,7 @@ PrimoDeformation::PrimoDeformation(Shape rest, const PrimoOptions& options)
     const Eigen::Matrix3Xi T = baselines::proper_triangles(rest_, "PriMo");
     unit_ = mean_side(rest_.V, T);
     V_ = rest_.V / unit_;
-    prisms_ = make_prisms(V_, T, options_.height);
+    prisms_ = make_prisms(V_, T, options_.height * bounding_box_diagonal(V_));
     motions_ = RigidMotions::at_rest(prisms_);
   }
   std::vector<char> used(V_.cols(), 0);

@@ -12,7 +12,9 @@ namespace deformlab {
 
 /// What PriMo can be told.
 struct PrimoOptions {
-  double height = 1;  ///< of the prisms [mean side of the triangles]: the higher, the stiffer
+  /// Of the prisms [diagonal of the shape's bounding box]: what bending costs beside stretching
+  /// grows with its square, and is the same at any resolution of the mesh.
+  double height = 0.04;
   /// Of a pin, where the weight of a joint is about 1.
   double handle_weight = 1000;
   double epsilon = 1e-6;  ///< of the three conditions of Sumner et al. 2007, Eq. 12
@@ -21,7 +23,7 @@ struct PrimoOptions {
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("height", o.height,
-          "of the prisms, in mean sides of the triangles; higher ones bend less");
+          "of the prisms, in diagonals of the shape's bounding box; higher ones bend less");
     visit("handle_weight", o.handle_weight,
           "pull of a handle that has no whole triangle, beside the joints' of about 1");
     visit("epsilon", o.epsilon, "steps end as in Eq. 12 of embedded deformation");
