@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/geodesic.h"
 #include "geometry/graph_file.h"
 #include "geometry/graph_grid.h"
 #include "geometry/graph_simplification.h"
@@ -112,25 +114,44 @@ class Builder {
   DeformationGraph join(const Placed& placed, const VertexEmbedding& embedded) {
     DeformationGraph graph =
         connect(placed.g, embedded.embedding, options_.alpha, embedded.followed);
-    if (placed.edges) {
-      graph.edges =
-          options_.alpha == "overlap" ? weighed(*placed.edges, graph.edges) : *placed.edges;
-    }
+    if (placed.edges) take(*placed.edges, graph);
     if (!cuts_.empty()) cut(graph);
     const bool changed = placed.edges || !cuts_.empty();
     if (changed && options_.alpha == "overlap") normalize(graph.edges);
     return graph;
   }
 
+  // An edge of no weight joins nothing, and a part that only it joined is free.
+  void take(const std::vector<GraphEdge>& by_hand, DeformationGraph& graph) {
+    const bool by_overlap = options_.alpha == "overlap";
+    graph.edges = by_overlap ? weighed(by_hand, graph.edges) : by_hand;
+    const auto left_out =
+        std::erase_if(graph.edges, [](const GraphEdge& edge) { return edge.alpha == 0; });
+    if (left_out == 0) return;
+    built_.notes.push_back(
+        "edges that join nodes without a common vertex, which graph.alpha: overlap leaves out: " +
+        std::to_string(left_out));
+  }
+
   void cut(DeformationGraph& graph) {
-    const int before = parts(graph);
+    const int before = parts_without_cuts(graph.g);
     std::erase_if(graph.edges, [&](const GraphEdge& edge) {
       return groups_.apart[groups_.of_node[edge.j]][groups_.of_node[edge.k]];
     });
-    if (parts(graph) == before) return;
+    if (parts(graph) <= before) return;
     built_.notes.push_back("the cuts leave the graph in " + std::to_string(parts(graph)) +
                            " parts instead of " + std::to_string(before) +
                            ": each moves only with handles of its own");
+  }
+
+  int parts_without_cuts(const Eigen::Matrix3Xd& g) const {
+    if (options_.distance == "euclidean") {
+      return parts(connect(g, deformlab::embed(shape_.V, g, options_.neighbors)));
+    }
+    const std::vector<int> part = connected_parts(shape_);
+    std::set<int> met;
+    for (const int v : built_.node_vertices) met.insert(part[v]);
+    return static_cast<int>(met.size());
   }
 
   static int parts(const DeformationGraph& graph) {
@@ -167,6 +188,7 @@ class Builder {
 }  // namespace
 
 BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts) {
+  check(shape, "the shape");
   double seconds = 0;
   const Placed placed = timed(seconds, [&] { return place(shape, options); });
   BuiltGraph built = Builder(shape, options, cuts).run(placed);
@@ -176,6 +198,7 @@ BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::spa
 
 BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
                        const GraphOptions& options, std::span<const Cut> cuts) {
+  check(shape, "the shape");
   return Builder(shape, options, cuts).run({nodes});
 }
 

@@ -26,9 +26,10 @@ struct BuiltGraph {
 
 /// Places the nodes as options.method says, embeds the shape and joins the nodes: with one another
 /// where they influence the same vertex, or as a hand-made graph has it. Of nodes that are apart by
-/// a cut neither is joined. With a distance along the surface sampled nodes are moved to the
-/// nearest vertices, each to one of its own, and sit there. Throws InputError for options that are
-/// out of range or do not fit the shape or each other.
+/// a cut neither is joined, and a hand-made edge without a weight is left out. With a distance
+/// along the surface sampled nodes are moved to the nearest vertices, each to one of its own, and
+/// sit there. Throws InputError for a shape that `check` refuses, and for options that are out of
+/// range or do not fit the shape or each other.
 BuiltGraph build_graph(const Shape& shape, const GraphOptions& options,
                        std::span<const Cut> cuts = {});
 

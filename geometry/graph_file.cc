@@ -1,9 +1,11 @@
 #include "geometry/graph_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -65,12 +67,20 @@ class Reader {
     for (int row = 0; row < 3; ++row) {
       node.g[row] = formats::value_at(bytes_, numbers[row], formats::Encoding::kText) + 0.0;
     }
+    check_distance(node.g, owner);
     node.line = lines.number();
     const auto [first, is_new] =
         places_.try_emplace({node.g.x(), node.g.y(), node.g.z()}, nodes_.size());
     if (is_new) return;
     reject(name_, owner + " is repeated: " + called(first->second) + " (" +
                       nodes_[first->second - 1].line + ") is at the same place; leave one out");
+  }
+
+  void check_distance(const Eigen::Vector3d& g, const std::string& owner) const {
+    if (g.cwiseAbs().maxCoeff() <= kMostLength) return;
+    std::ostringstream what;
+    what << owner << " is at (" << g.transpose() << "); coordinates may be up to " << kMostLength;
+    reject(name_, what.str());
   }
 
   void polyline(const Lines& lines) {

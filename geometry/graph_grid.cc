@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 #include <sstream>
+#include <string>
+#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/graph_vertices.h"
@@ -22,39 +24,55 @@ struct Cells {
 // m as the product a·b that makes the cells of a w×h rectangle most square.
 Cells divide(double w, double h, int m) {
   Cells best{m, 1, HUGE_VAL};
-  for (int b = 1; b <= m; ++b) {
+  for (int b = 1; b <= m / b; ++b) {
     if (m % b != 0) continue;
-    const int a = m / b;
-    const double ratio = (w / a) / (h / b);
-    const double shape = std::max(ratio, 1 / ratio);
-    if (shape < best.shape) best = {a, b, shape};
+    for (const auto& [along, across] : {std::pair(m / b, b), std::pair(b, m / b)}) {
+      const double ratio = (w / along) / (h / across);
+      const double shape = std::max(ratio, 1 / ratio);
+      if (shape < best.shape) best = {along, across, shape};
+    }
   }
   return best;
 }
 
-// "198 (18 × 11)" for the next count in that direction which makes good cells.
-std::string next_count(double w, double h, int m, int step) {
-  for (int count = m + step; count > 0; count += step) {
-    const Cells cells = divide(w, h, count);
-    if (cells.shape > kLongestCell) continue;
-    return std::to_string(count) + " (" + std::to_string(cells.a) + " × " +
-           std::to_string(cells.b) + ")";
-  }
-  return "";
+std::string text_of(const Cells& cells) {
+  return std::to_string(cells.a * cells.b) + " (" + std::to_string(cells.a) + " × " +
+         std::to_string(cells.b) + ")";
 }
 
-Cells checked_cells(double w, double h, int m) {
+// "198 (18 × 11)" and "209 (19 × 11)", the next counts below and above m that make good cells,
+// with " or " between them. Where even a single row of good cells has more than the shape has
+// vertices there is none.
+std::string next_counts(double w, double h, int m, Eigen::Index most) {
+  std::string text;
+  for (const int step : {-1, 1}) {
+    for (int count = m + step; count > 0 && count <= most; count += step) {
+      const Cells cells = divide(w, h, count);
+      if (cells.shape > kLongestCell) continue;
+      text += (text.empty() ? "" : " or ") + text_of(cells);
+      break;
+    }
+  }
+  return text;
+}
+
+Cells checked_cells(double w, double h, int m, Eigen::Index vertices) {
   if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
   if (!(h > 0)) throw InputError("graph.method: grid needs a flat shape, but this one is a line");
   const Cells cells = divide(w, h, m);
   if (cells.shape <= kLongestCell) return cells;
+  const bool too_thin = w / h / static_cast<double>(vertices) > kLongestCell;
+  const std::string counts = too_thin ? "" : next_counts(w, h, m, vertices);
   std::ostringstream message;
   message << "graph.nodes is " << m << ", which makes no regular grid over a shape of " << w
-          << " by " << h << " (at best " << cells.a << " × " << cells.b << "); take ";
-  const std::string fewer = next_count(w, h, m, -1);
-  if (!fewer.empty()) message << fewer << " or ";
-  message << next_count(w, h, m, 1);
+          << " by " << h << " (at best " << cells.a << " × " << cells.b << "); take "
+          << (counts.empty() ? "graph.method: sampling" : counts);
   throw InputError(message.str());
+}
+
+[[noreturn]] void reject_finer(int m, Eigen::Index vertices, const std::string& why) {
+  throw InputError("graph.nodes is " + std::to_string(m) + ", a grid finer than the shape's " +
+                   std::to_string(vertices) + " vertices" + why + "; use fewer nodes");
 }
 
 // The rows of V: the longest side of the bounding box first, then the next.
@@ -67,10 +85,11 @@ std::array<int, 3> by_extent(const Eigen::Vector3d& extent) {
 }  // namespace
 
 std::vector<int> grid_nodes(const Shape& shape, int m) {
+  if (m > shape.V.cols()) reject_finer(m, shape.V.cols(), "");
   const Eigen::Vector3d low = shape.V.rowwise().minCoeff();
   const Eigen::Vector3d extent = shape.V.rowwise().maxCoeff() - low;
   const auto [u, v, off] = by_extent(extent);
-  const Cells cells = checked_cells(extent[u], extent[v], m);
+  const Cells cells = checked_cells(extent[u], extent[v], m, shape.V.cols());
   Eigen::Matrix3Xd flat = shape.V, middles = Eigen::Matrix3Xd::Zero(3, m);
   flat.row(off).setZero();
   for (int j = 0; j < m; ++j) {
@@ -82,9 +101,8 @@ std::vector<int> grid_nodes(const Shape& shape, int m) {
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice == sorted.end()) return nodes;
-  throw InputError("graph.nodes is " + std::to_string(m) + ", a grid finer than the shape's " +
-                   std::to_string(shape.V.cols()) + " vertices: vertex " + std::to_string(*twice) +
-                   " is nearest to two of its cells; use fewer nodes");
+  reject_finer(m, shape.V.cols(),
+               ": vertex " + std::to_string(*twice) + " is nearest to two of its cells");
 }
 
 }  // namespace deformlab
