@@ -17,6 +17,12 @@ Eigen::Matrix3Xd places_at_rest(const Shape& rest, const Handles& handles) {
   return places;
 }
 
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace
 
 void check(const DragOptions& options) {
@@ -30,18 +36,19 @@ DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
   const Eigen::Matrix3Xd from = places_at_rest(rest, edit.handles);
   const int updates = options.back ? 2 * options.steps : options.steps;
   DragReport result;
-  double most = 0, sum = 0, seconds = 0;
+  double most = 0, sum = 0;
+  std::map<std::string, std::vector<double>> seconds;  // of each update
   bool finite = true;
   for (int i = 1; i <= updates; ++i) {
     const int steps_away = i <= options.steps ? i : updates - i;
     const double share = static_cast<double>(steps_away) / options.steps;
     {
-      Stopwatch watch(seconds);
+      Stopwatch watch(seconds["seconds.update"].emplace_back());
       result.last = deformer.update((1 - share) * from + share * edit.targets);
     }
     const auto steps = static_cast<double>(result.last.solve.iterations.size());
     for (const auto& [phase, its] : result.last.solve.seconds) {
-      result.seconds["seconds.update." + phase] += its / updates;
+      seconds["seconds.update." + phase].push_back(its);
     }
     most = std::max(most, steps);
     sum += steps;
@@ -50,7 +57,7 @@ DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
   }
   result.metrics = {{"iterations_max", most}, {"iterations_mean", sum / updates}};
   result.metrics["finite"] = finite;
-  result.seconds["seconds.update"] = seconds / updates;
+  for (auto& [phase, of_each] : seconds) result.seconds[phase] = median(of_each);
   return result;
 }
 

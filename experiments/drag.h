@@ -25,8 +25,8 @@ struct DragOptions {
 void check(const DragOptions& options);
 
 /// What a drag did: of its last update the report, of all of them iterations_max and
-/// iterations_mean, finite (1, or 0 where a vertex ever was not), seconds.update, their mean, and
-/// seconds.update.PHASE, that of the solver's phases.
+/// iterations_mean, finite (1, or 0 where a vertex ever was not), seconds.update, the median
+/// of each, and seconds.update.PHASE, that of the solver's phases.
 struct DragReport {
   Report last;
   Metrics metrics, seconds;

@@ -75,8 +75,8 @@ std::vector<Case> cases(const Triangulation& mesh) {
   };
 }
 
-// Ceres' dogleg begins with the full step, which ends a linear stage; its damping would stop where F
-// falls no more in double precision, and so leave 1e-8 of x.
+// Ceres' dogleg begins with the full step, which ends a linear stage; its damping would stop where
+// F falls no more in double precision, and so leave 1e-8 of x.
 SolverOptions solver(const char* method) {
   return {.method = method, .ceres_trust_region = "dogleg", .epsilon = 1e-14};
 }

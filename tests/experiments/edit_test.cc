@@ -141,7 +141,8 @@ TEST(Edit, EmptySelectionTellsWhereTheShapeIs) {
 TEST(Edit, EntriesNeedOneSelectorAndOneAction) {
   const std::string one = "- {select: {all: true}, ";
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"- {select: {}, fix: true}", "exactly one of vertices, box, sphere, nearest, point, file, all"},
+      {"- {select: {}, fix: true}",
+       "exactly one of vertices, box, sphere, nearest, point, file, all"},
       {"- {select: {all: true, nearest: [0, 0, 0]}, fix: true}", "all; found 2"},
       {"- {select: {all: false}, fix: true}", "'all' can only be true"},
       {one + "fix: false}", "'fix' can only be true"},
