@@ -16,11 +16,18 @@ std::string number(double value) {
   return text;
 }
 
+// The value itself, which may be a list, or one of a list of values.
+bool is_wanted(const std::string& value, const ConfigNode& wanted) {
+  if (value == to_yaml_line(wanted)) return true;
+  return wanted.kind == ConfigNode::Kind::kList &&
+         std::any_of(wanted.children.begin(), wanted.children.end(),
+                     [&](const ConfigNode& one) { return value == to_yaml_line(one); });
+}
+
 bool matches(const MeasuredRun& run, const ConfigNode& filter) {
   return std::all_of(filter.children.begin(), filter.children.end(), [&](const ConfigNode& wanted) {
-    const std::string value = to_yaml_line(wanted);
     return std::any_of(run.settings.begin(), run.settings.end(), [&](const auto& setting) {
-      return setting.first == wanted.key && setting.second == value;
+      return setting.first == wanted.key && is_wanted(setting.second, wanted);
     });
   });
 }

@@ -27,7 +27,9 @@ struct Claim {
     visit("says", o.says, "the statement, quoted from the paper where it is the paper's");
     visit.required("measure", o.measure, "name of a metric");
     visit("per", o.per, "another metric of the same run, by which it is divided");
-    visit("where", o.where, "the runs of a sweep that it speaks of: dotted keys and their values");
+    visit(
+        "where", o.where,
+        "the runs of a sweep that it speaks of: dotted keys, and their value or a list of values");
     visit("versus", o.versus, "other runs: what is measured is then the ratio of the two means");
     visit.choice("over", o.over, {"worst", "mean", "spread", "range", "exponent"},
                  "several runs: the worst of them, their mean, (max − min) / |mean|, max − min, or "

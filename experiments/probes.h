@@ -10,6 +10,7 @@ namespace deformlab {
 /// What is measured beyond what every run measures.
 struct MeasureOptions {
   double detail = 0;
+  int stripes = 0;
   ConfigNode probes;
 
   template <class Self, class Visit>
@@ -17,6 +18,9 @@ struct MeasureOptions {
     visit("detail", o.detail,
           "surface below this part of the diagonal is detail, and how it survives is measured; "
           "0: it is not");
+    visit("stripes", o.stripes,
+          "of a generated plane: how striped it is across x, beside the mean of so many columns; "
+          "0: it is not measured");
     visit("probes", o.probes, "places at rest whose way is measured: a list of coordinates");
   }
 };

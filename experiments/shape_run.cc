@@ -4,6 +4,7 @@
 
 #include "experiments/detail.h"
 #include "experiments/drag.h"
+#include "experiments/stripes.h"
 
 namespace deformlab {
 namespace {
@@ -42,6 +43,10 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
   run.measured.metrics.merge(distortion(rest, deformer->deformed()));
   if (config.measure.detail > 0) {
     run.measured.metrics.merge(detail(rest, deformer->deformed(), config.measure.detail));
+  }
+  if (config.measure.stripes != 0 && config.shape.file.empty()) {
+    run.measured.metrics.merge(
+        stripes(deformer->deformed().V, config.shape.columns, config.measure.stripes));
   }
   const std::vector<int> probes = nearest_vertices(rest, read_probes(config.measure.probes, 3));
   const Eigen::Matrix3Xd way = (deformer->deformed().V - rest.V)(Eigen::all, probes);

@@ -154,6 +154,8 @@ INSTANTIATE_TEST_SUITE_P(
         Claimed{"Per", "per: nodes, equals: 1", 0, "1, expected 1 ok"},
         Claimed{"Exponent", "over: exponent, against: nodes, equals: 1, within: 1e-9", 0,
                 "1, expected 1 within 1e-07 % ok"},
+        Claimed{"OneOfAList", "where: {graph.nodes: [10, 30]}, equals: 10", 0,
+                "10, expected 10 ok"},
         Claimed{"Versus", "where: {graph.nodes: 20}, versus: {graph.nodes: 10}, equals: 2", 0,
                 "2, expected 2 ok"}),
     [](const auto& test) { return test.param.name; });
