@@ -24,9 +24,13 @@ std::vector<Component> find_components(const DeformationGraph& graph, const Embe
     result[component[j]].nodes.push_back(static_cast<int>(j));
     result[component[j]].anchored |= fixed[j] != 0;
   }
-  // The nodes that a handle follows all influence one vertex, so they are connected.
-  for (Eigen::Index l = 0; l < handles.v.cols(); ++l) {
-    result[component[handles.nodes(0, l)]].handles.push_back(static_cast<int>(l));
+  // A graph made by hand, or cut, need not join the nodes that a handle follows.
+  for (int l = 0; l < handles.v.cols(); ++l) {
+    for (Eigen::Index a = 0; a < handles.nodes.rows(); ++a) {
+      std::vector<int>& known = result[component[handles.nodes(a, l)]].handles;
+      const bool is_new = known.empty() || known.back() != l;
+      if (is_new && handles.weights(a, l) > 0) known.push_back(l);
+    }
   }
   return result;
 }
@@ -97,8 +101,12 @@ Holds hold_free_components(const DeformationGraph& graph, const Embedding& handl
 
 int count_immovable(const Embedding& handles, const std::vector<char>& fixed) {
   int count = 0;
-  for (const auto nodes : handles.nodes.colwise()) {
-    count += std::all_of(nodes.begin(), nodes.end(), [&](int j) { return fixed[j] != 0; });
+  for (Eigen::Index l = 0; l < handles.v.cols(); ++l) {
+    bool movable = false;
+    for (Eigen::Index a = 0; a < handles.nodes.rows(); ++a) {
+      movable |= handles.weights(a, l) > 0 && fixed[handles.nodes(a, l)] == 0;
+    }
+    count += !movable;
   }
   return count;
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_deformation.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,6 +35,7 @@ class CgalArap::Engine {
 namespace {
 
 constexpr double kNegligible = 1e-24;  // energy, as a share of what deforming all would cost
+constexpr double kThinnest = 1e-10;    // twice the area of a triangle in its longest side squared
 
 Mesh make_mesh(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
   Mesh mesh;
@@ -84,6 +86,19 @@ std::unique_ptr<CgalArap::Engine> make_engine(const std::string& variant, const 
                    "'; known: spokes_and_rims, original, smooth_rotations");
 }
 
+// Their cotangents would outweigh all others, and leave no digit of the solution.
+void reject_thin(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
+  for (const auto t : T.colwise()) {
+    const Eigen::Vector3d a = V.col(t[1]) - V.col(t[0]), b = V.col(t[2]) - V.col(t[0]);
+    const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm()});
+    if (a.cross(b).norm() > kThinnest * longest2) continue;
+    throw InputError("the triangle of vertices " + std::to_string(t[0]) + ", " +
+                     std::to_string(t[1]) + " and " + std::to_string(t[2]) +
+                     " has no area, and as-rigid-as-possible deformation weighs edges by "
+                     "cotangents; repair the mesh, or use embedded deformation");
+  }
+}
+
 void check(const CgalArapOptions& o) {
   if (o.iterations < 1) {
     throw InputError("iterations is " + std::to_string(o.iterations) + "; at least 1 is needed");
@@ -108,6 +123,7 @@ CgalArap::CgalArap(Shape rest, const CgalArapOptions& options)
 
 void CgalArap::register_shape() {
   const Eigen::Matrix3Xi T = baselines::proper_triangles(rest_, "as-rigid-as-possible deformation");
+  reject_thin(rest_.V, T);
   const std::string fault = manifold_fault(T, static_cast<int>(rest_.V.cols()));
   if (!fault.empty()) {
     throw InputError("the shape is no manifold mesh: " + fault +
@@ -205,6 +221,7 @@ std::pair<Status, std::string> CgalArap::iterate(Summary& summary, SpokesAndRims
     W_ = W;
     const double last = k > 0 ? summary.iterations.back().cost : INFINITY;
     summary.iterations.push_back(iteration);
+    if (!std::isfinite(state.energy)) return {Status::kFailed, "the energy is not finite"};
     const double change = std::abs(state.energy - last);
     if (state.energy <= kNegligible * state.scale) return {Status::kConverged, "no energy is left"};
     if (change < options_.tolerance * state.energy) {
@@ -236,7 +253,11 @@ Report CgalArap::update(const Eigen::Matrix3Xd& targets) {
     summary.initial_cost = summary.iterations.front().cost;
     summary.final_cost = state.energy;
     Stopwatch watch(report.seconds["transfer"]);
-    store(targets, state.R);
+    if (summary.status == Status::kFailed) {
+      engine_->reset();
+    } else {
+      store(targets, state.R);
+    }
   }
   measure_handles(deformed_.V(Eigen::all, handles_.moved), targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
@@ -253,7 +274,8 @@ void CgalArap::store(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& R)
   for (int i = 0; i < std::ssize(vertices_); ++i) {
     const int v = vertices_[i];
     deformed_.V.col(v) = W_.col(i);
-    if (rest_.N.cols() > 0) deformed_.N.col(v) = R.middleCols<3>(3 * i) * rest_.N.col(v);
+    if (rest_.N.cols() > 0)
+      deformed_.N.col(v) = (R.middleCols<3>(3 * i) * rest_.N.col(v)).normalized();
   }
   for (const int v : handles_.fixed) deformed_.V.col(v) = rest_.V.col(v);
 }

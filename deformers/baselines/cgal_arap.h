@@ -37,7 +37,7 @@ struct CgalArapOptions {
 class CgalArap final : public Deformer {
  public:
   /// Throws InputError for a shape that is no manifold triangle mesh, naming where it is not (other
-  /// polygons are cut into triangles), and for options out of range.
+  /// polygons are cut into triangles) or has a triangle of no area, and for options out of range.
   explicit CgalArap(Shape rest, const CgalArapOptions& options = {});
   ~CgalArap() override;
 

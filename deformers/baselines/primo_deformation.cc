@@ -81,9 +81,10 @@ void PrimoDeformation::choose_prescribed() {
   prescribed_.assign(prisms_.T.cols(), 0);
   on_prescribed_.assign(V_.cols(), 0);
   for (Eigen::Index i = 0; i < prisms_.T.cols(); ++i) {
-    const auto corners = prisms_.T.col(i);
+    const Eigen::Vector3i corners = prisms_.T.col(i);
     const auto is_handle = [&](int v) { return handle_of_[v] >= 0; };
     if (!std::all_of(corners.begin(), corners.end(), is_handle)) continue;
+    if (is_thin(V_(Eigen::all, corners))) continue;
     prescribed_[i] = 1;
     for (const int v : corners) on_prescribed_[v] = 1;
   }

@@ -11,7 +11,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kFlattest = 1e-6;  // A_i + A_j in ‖e_ij‖²: what a sliver counts for at least
+constexpr double kFlattest = 1e-6;  // area in ‖e_ij‖²: what a sliver counts for at least
 
 struct Side {
   int a, b, triangle;  // a < b
@@ -79,6 +79,12 @@ PrismLayer make_prisms(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, dou
     prisms.joints.push_back({i, j, w / 4, gauss_points(V(Eigen::all, ends), up(Eigen::all, ends))});
   }
   return prisms;
+}
+
+bool is_thin(const Eigen::Matrix3d& corners) {
+  const Eigen::Vector3d a = corners.col(1) - corners.col(0), b = corners.col(2) - corners.col(0);
+  const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm()});
+  return a.cross(b).norm() <= kFlattest * longest2;
 }
 
 double mean_side(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {

@@ -28,6 +28,10 @@ struct PrismLayer {
 ///   V  3×#V vertices, T  3×m triangles of three different vertices each, height > 0 [length].
 PrismLayer make_prisms(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, double height);
 
+/// Whether corners (3×3 in columns) lie on a line or in a point, as far as a double can tell: no
+/// motion of theirs says how a prism on them turns.
+bool is_thin(const Eigen::Matrix3d& corners);
+
 /// Mean length of the triangles' sides [length]; 1 where all are points.
 double mean_side(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T);
 

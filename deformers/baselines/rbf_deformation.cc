@@ -164,7 +164,7 @@ Report RbfDeformation::update(const Eigen::Matrix3Xd& targets) {
     Stopwatch watch(report.seconds["transfer"]);
     if (!deform()) {
       report.solve.status = Status::kFailed;
-      report.solve.message = "the displacements are too large to compute with";
+      report.solve.message = "the targets are too far away to compute with";
       return report;
     }
   }
@@ -194,10 +194,10 @@ Eigen::Matrix3d RbfDeformation::gradient(const Eigen::Vector3d& x) const {
   return Eigen::Matrix3d::Identity() + per_extent / extent_;
 }
 
-// False, and nothing has changed, where a result is not finite.
+// False, and nothing has changed, where a result is too far away.
 bool RbfDeformation::deform() {
   Eigen::Matrix3Xd V = rest_.V + displacement();
-  if (!V.allFinite()) return false;
+  if (!(V.cwiseAbs().maxCoeff() <= kMostLength)) return false;
   for (const int i : fixed_) V.col(i) = rest_.V.col(i);  // free of rounding
   deformed_.V = std::move(V);
   for (Eigen::Index i = 0; i < rest_.N.cols(); ++i) {

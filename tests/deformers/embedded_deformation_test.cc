@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <filesystem>
+#include <fstream>
 
 #include "geometry/sampling.h"
 #include "tests/support/shapes.h"
@@ -14,6 +16,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 EmbeddedDeformationOptions with_nodes(int nodes) {
   EmbeddedDeformationOptions options;
@@ -321,6 +324,44 @@ TEST(EmbeddedDeformation, BothSolversAgree) {
     V[ceres] = deformer.deformed().V;
   }
   EXPECT_LT(difference(V[0], V[1]), 1e-5);
+}
+
+// Two clusters of five nodes, over the left and the right of a plane, that no edge joins.
+EmbeddedDeformationOptions in_two_parts() {
+  EmbeddedDeformationOptions options;
+  options.graph.method = "file";
+  options.graph.file = std::filesystem::path(::testing::TempDir()) / "two_parts.obj";
+  std::ofstream file(options.graph.file);
+  for (const double x : {0.0, 0.55}) {
+    for (const double y : {0.0, 1.0}) {
+      file << "v " << x << " " << y << " 0\nv " << x + 0.4 << " " << y << " 0\n";
+    }
+    file << "v " << x + 0.2 << " 0.5 0\n";
+  }
+  file << "l 1 2 3 4 5\nl 6 7 8 9 10\n";
+  return options;
+}
+
+TEST(EmbeddedDeformation, AHandleHoldsEveryPartOfTheGraphThatItFollows) {
+  const Shape plane = bumpy_plane(21, 1, 0);
+  EmbeddedDeformation deformer(plane, in_two_parts());
+  deformer.compile({{}, {220}});  // the middle, between the clusters
+  const Eigen::Vector3d t(0.3, 0.1, 2);
+  const Report report = deformer.update(plane.V.col(220) + t);
+  EXPECT_THAT(report.notes, Not(Contains(HasSubstr("has no handle"))));
+  EXPECT_LT(difference(deformer.deformed().V, plane.V.colwise() + t), 1e-6);
+}
+
+TEST(EmbeddedDeformation, AHandleThatOnlyFixedNodesPullIsNotedBehindACut) {
+  // The cut leaves one node to the left side; the others only fill up what its vertices follow.
+  const Shape plane = bumpy_plane(21, 1, 0);
+  const std::vector<int> left = strip(plane, 0, 0.25), right = strip(plane, 0.3, 1);
+  const Eigen::Matrix3Xd nodes =
+      plane.V(Eigen::all, std::vector<int>{212, 10, 20, 220, 225, 430, 440});
+  EmbeddedDeformation deformer(plane, nodes, {}, std::vector<Cut>{{left, right}});
+  deformer.compile({{left[0]}, {left[1], right.back()}});
+  const Report report = deformer.update(at(plane, {left[1], right.back()}));
+  EXPECT_THAT(report.notes, Contains(HasSubstr("so cannot move: 1;")));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "geometry/error.h"
@@ -74,22 +75,20 @@ Errors errors(const NearestSources& nearest, Exact&& exact) {
   return result;
 }
 
-using Method = decltype(&nearest_along_edges);
-
-class Nearest : public ::testing::TestWithParam<Method> {
+class Nearest : public ::testing::TestWithParam<std::string> {
  protected:
-  static bool is_edges() { return GetParam() == &nearest_along_edges; }
+  static bool is_edges() { return GetParam() == "edges"; }
+  static NearestSources nearest_of(const Shape& shape, const std::vector<int>& sources, int count) {
+    return (is_edges() ? nearest_along_edges : nearest_along_surface)(shape, sources, count);
+  }
 };
-INSTANTIATE_TEST_SUITE_P(Geodesic, Nearest,
-                         ::testing::Values(&nearest_along_surface, &nearest_along_edges),
-                         [](const auto& test) {
-                           return test.param == &nearest_along_edges ? "Edges" : "Surface";
-                         });
+INSTANTIATE_TEST_SUITE_P(Along, Nearest, ::testing::Values("surface", "edges"),
+                         [](const auto& test) { return test.param; });
 
 TEST_P(Nearest, OnAPlaneIsTheStraightDistance) {
   const Shape plane = bumpy_plane(31, 1, 0);
   const std::vector<int> sources{32, 480, 700, 955, 28};
-  const Errors e = errors(GetParam()(plane, sources, 3), [&](int s, int i) {
+  const Errors e = errors(nearest_of(plane, sources, 3), [&](int s, int i) {
     return (plane.V.col(sources[s]) - plane.V.col(i)).norm();
   });
   // Paths go along eight directions: at 22.5 degrees to one they are 8.2 % too long.
@@ -101,7 +100,7 @@ TEST_P(Nearest, OnAPlaneIsTheStraightDistance) {
 TEST_P(Nearest, OnASphereIsTheArc) {
   const Shape ball = sphere(4);  // 1,026 vertices
   const std::vector<int> sources{0, 5, 100, 400, 900};
-  const Errors e = errors(GetParam()(ball, sources, 3), [&](int s, int i) {
+  const Errors e = errors(nearest_of(ball, sources, 3), [&](int s, int i) {
     return angle(ball.V.col(sources[s]), ball.V.col(i));
   });
   EXPECT_LT(e.mean, is_edges() ? 0.022 : 0.016);
@@ -116,7 +115,7 @@ TEST_P(Nearest, GoesAroundAndNotAcross) {
     if (v.x() > 0.5) v = Eigen::Vector3d(1 - v.x(), v.y(), 0.01);
   }
   const int source = 10 * n, opposite = 10 * n + 20;
-  const NearestSources nearest = GetParam()(sheet, std::vector<int>{source}, 1);
+  const NearestSources nearest = nearest_of(sheet, {source}, 1);
   EXPECT_LT((sheet.V.col(source) - sheet.V.col(opposite)).norm(), 0.02);
   EXPECT_NEAR(nearest.distances(0, opposite), 1, 0.05);
 }
@@ -126,7 +125,7 @@ TEST_P(Nearest, ComesNearestFirstAndOnlyWhereTheSurfaceLeads) {
   two.V.conservativeResize(3, 163);
   two.V.rightCols<1>().setZero();  // a vertex without a face
   const std::vector<int> sources{0, 40, 100, 162};
-  const NearestSources nearest = GetParam()(two, sources, 3);
+  const NearestSources nearest = nearest_of(two, sources, 3);
   for (int i = 0; i < 163; ++i) {
     ASSERT_EQ(nearest.found[i], i < 81 ? 2 : 1) << i;
     const bool first = i < 81;
@@ -142,7 +141,7 @@ TEST_P(Nearest, ComesNearestFirstAndOnlyWhereTheSurfaceLeads) {
 }
 
 TEST_P(Nearest, TwoSourcesOnOneVertexBothCount) {
-  const NearestSources nearest = GetParam()(bumpy_plane(9), std::vector<int>{7, 40, 40}, 3);
+  const NearestSources nearest = nearest_of(bumpy_plane(9), std::vector<int>{7, 40, 40}, 3);
   EXPECT_EQ(nearest.found.minCoeff(), 3);
   EXPECT_EQ(nearest.distances(0, 40), 0);
   EXPECT_EQ(nearest.distances(1, 40), 0);
@@ -155,8 +154,8 @@ TEST_P(Nearest, IsTheSameTwiceAndInAnyUnit) {
   Shape in_km = plane;
   in_km.V /= 1024;
   const std::vector<int> sources{3, 77, 150, 200};
-  const NearestSources one = GetParam()(plane, sources, 2), two = GetParam()(plane, sources, 2),
-                       small = GetParam()(in_km, sources, 2);
+  const NearestSources one = nearest_of(plane, sources, 2), two = nearest_of(plane, sources, 2),
+                       small = nearest_of(in_km, sources, 2);
   EXPECT_EQ(one.sources, two.sources);
   EXPECT_EQ(one.distances, two.distances);
   EXPECT_LT((1024 * small.distances - one.distances).cwiseAbs().maxCoeff(), 1e-9);
