@@ -47,7 +47,8 @@ struct GraphOptions {
   }
 };
 
-/// Undirected edge between two nodes that influence a common vertex; Eq. 7 takes it both ways.
+/// Undirected edge between two nodes that influence a common vertex, or that were joined by hand;
+/// Eq. 7 takes it both ways.
 struct GraphEdge {
   int j, k;      ///< j < k
   double alpha;  ///< α_jk, of mean one over all edges

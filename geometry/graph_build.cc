@@ -199,6 +199,7 @@ BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::spa
 BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
                        const GraphOptions& options, std::span<const Cut> cuts) {
   check(shape, "the shape");
+  if (nodes.cols() > 0) check(Shape{nodes, {}, {}}, "the nodes");
   return Builder(shape, options, cuts).run({nodes});
 }
 

@@ -33,7 +33,8 @@ struct BuiltGraph {
 BuiltGraph build_graph(const Shape& shape, const GraphOptions& options,
                        std::span<const Cut> cuts = {});
 
-/// The same with nodes that are already placed (3×m) [length].
+/// The same with nodes that are already placed (3×m) [length]. Throws also for nodes that `check`
+/// refuses as points.
 BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
                        const GraphOptions& options, std::span<const Cut> cuts = {});
 

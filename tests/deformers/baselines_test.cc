@@ -215,6 +215,21 @@ TEST_P(Baseline, PartsWithoutAHandleStay) {
   EXPECT_LT(farthest(deformer->deformed().V.rightCols(144), two.V.rightCols(144)), 1e-12);
 }
 
+TEST_P(Baseline, EveryVertexMayBeHeld) {
+  const Shape plane = bumpy_plane(6);
+  const std::unique_ptr<Deformer> deformer = make(plane);
+  Handles handles = strips(6, 0, 6);
+  deformer->compile(handles);
+  const Report report = deformer->update(lifted(plane, handles, 0.5));
+  EXPECT_EQ(report.solve.status, Status::kConverged) << report.solve.message;
+  EXPECT_LT(report.handle_max, 1e-12);
+  std::swap(handles.fixed, handles.moved);
+  deformer->reset();
+  deformer->compile(handles);
+  EXPECT_EQ(deformer->update(Eigen::Matrix3Xd(3, 0)).solve.status, Status::kConverged);
+  EXPECT_EQ(deformer->deformed().V, plane.V);
+}
+
 TEST_P(Baseline, VerticesInNoTriangleMoveAsHandlesOnly) {
   if (!GetParam().of_surfaces) return;
   Shape plane = bumpy_plane(6);

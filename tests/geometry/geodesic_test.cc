@@ -193,6 +193,17 @@ TEST(Surface, NeedsAManifoldMesh) {
   EXPECT_THAT(refused(fins), HasSubstr("manifold"));
 }
 
+TEST(Surface, TrianglesOfNoAreaGiveNoDistanceBeyondItsBounds) {
+  Shape plane = bumpy_plane(15, 1, 0);
+  plane.V.col(49) = (plane.V.col(48) + plane.V.col(64)) / 2;
+  plane.V.col(100) = plane.V.col(101);
+  const std::vector<int> sources{0, 49, 100};
+  const Errors e = errors(nearest_along_surface(plane, sources, 3), [&](int s, int i) {
+    return (plane.V.col(sources[s]) - plane.V.col(i)).norm();
+  });
+  EXPECT_LT(e.max, 1 / std::cos(std::numbers::pi / 8) - 1 + 1e-12);
+}
+
 TEST(Edges, TakeAnySurface) {
   Shape fins = bumpy_plane(10);
   fins.faces.push_back({0, 1, 55});

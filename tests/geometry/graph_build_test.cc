@@ -243,6 +243,23 @@ TEST(BuildGraph, ShapesThatDoNotGoWithTheOptions) {
   }
 }
 
+TEST(BuildGraph, NodesThatCannotBe) {
+  const auto refused = [](const Eigen::Matrix3Xd& nodes) -> std::string {
+    try {
+      build_graph(bumpy_plane(5), nodes, {});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refused(Eigen::Matrix3Xd(3, 0)), HasSubstr("without nodes"));
+  Eigen::Matrix3Xd nodes = bumpy_plane(3).V;
+  for (const double bad : {double(NAN), double(INFINITY), 1e200}) {
+    nodes(1, 4) = bad;
+    EXPECT_THAT(refused(nodes), HasSubstr("'the nodes'")) << bad;
+  }
+}
+
 TEST(BuildGraph, PartsWithoutANodeFollowThoseNearestInSpace) {
   const Shape two = side_by_side(bumpy_plane(9), bumpy_plane(9), {0, 0, 1});
   const Eigen::Matrix3Xd nodes = bumpy_plane(9).V(Eigen::all, std::vector<int>{0, 8, 40, 72, 80});
