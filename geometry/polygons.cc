@@ -40,21 +40,58 @@ bool edges_meet(const Polygons& polygons, const PolygonEdge& e, const PolygonEdg
   return CGAL::do_intersect(one, other);
 }
 
-}  // namespace
+double squared_distance(const Polygons& polygons, const PolygonEdge& corner,
+                        const PolygonEdge& edge) {
+  return CGAL::squared_distance(at(polygons[corner.polygon], corner.corner),
+                                segment(polygons, edge));
+}
 
-void for_edges_that_meet(const Polygons& polygons,
-                         const std::function<void(const PolygonEdge&, const PolygonEdge&)>& meet) {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, PolygonEdge>;
-  std::vector<Box> boxes;
+bool is_end(const Polygons& polygons, const PolygonEdge& corner, const PolygonEdge& edge) {
+  if (corner.polygon != edge.polygon) return false;
+  return corner.corner == edge.corner ||
+         corner.corner == (edge.corner + 1) % polygons[edge.polygon].cols();
+}
+
+using EdgeBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, PolygonEdge>;
+
+std::vector<EdgeBox> edge_boxes(const Polygons& polygons) {
+  std::vector<EdgeBox> boxes;
   for (int p = 0; p < static_cast<int>(polygons.size()); ++p) {
     for (Index i = 0; i < polygons[p].cols(); ++i) {
       boxes.emplace_back(segment(polygons, {p, i}).bbox(), PolygonEdge{p, i});
     }
   }
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+  return boxes;
+}
+
+}  // namespace
+
+void for_edges_that_meet(const Polygons& polygons,
+                         const std::function<void(const PolygonEdge&, const PolygonEdge&)>& meet) {
+  std::vector<EdgeBox> boxes = edge_boxes(polygons);
+  const auto test = [&](const EdgeBox& a, const EdgeBox& b) {
     const auto [e, f] = std::minmax({a.info(), b.info()});
     if (edges_meet(polygons, e, f)) meet(e, f);
-  });
+  };
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), test);
+}
+
+std::optional<PolygonEdge> corner_near_edge(const Polygons& polygons, double distance) {
+  std::vector<EdgeBox> edges = edge_boxes(polygons), corners;
+  for (const EdgeBox& edge : edges) {
+    const Point corner = at(polygons[edge.info().polygon], edge.info().corner);
+    const CGAL::Bbox_2 around(corner.x() - distance, corner.y() - distance, corner.x() + distance,
+                              corner.y() + distance);
+    corners.emplace_back(around, edge.info());
+  }
+  std::optional<PolygonEdge> first;
+  const auto test = [&](const EdgeBox& a, const EdgeBox& b) {
+    const PolygonEdge corner = a.info(), edge = b.info();
+    if ((first && *first <= corner) || is_end(polygons, corner, edge)) return;
+    if (squared_distance(polygons, corner, edge) < distance * distance) first = corner;
+  };
+  CGAL::box_intersection_d(corners.begin(), corners.end(), edges.begin(), edges.end(), test);
+  return first;
 }
 
 std::vector<std::vector<int>> nesting(const Polygons& polygons) {

@@ -2,11 +2,12 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace deformlab {
 
-/// From one corner of one of several closed polygons to the next.
+/// From one corner of one of several closed polygons to the next; or that corner itself.
 struct PolygonEdge {
   int polygon;
   Eigen::Index corner;
@@ -19,6 +20,9 @@ using Polygons = std::vector<Eigen::Matrix2Xd>;
 /// the other, in no order that means anything. Exact.
 void for_edges_that_meet(const Polygons& polygons,
                          const std::function<void(const PolygonEdge&, const PolygonEdge&)>& meet);
+
+/// The first corner that is nearer than that to an edge that neither begins nor ends there.
+std::optional<PolygonEdge> corner_near_edge(const Polygons& polygons, double distance);
 
 /// For each polygon the others that it lies in, sorted; provided that no edges meet. Exact.
 std::vector<std::vector<int>> nesting(const Polygons& polygons);

@@ -6,6 +6,7 @@
 #include "geometry/boundary_sampling.h"
 #include "geometry/delaunay_mesh.h"
 #include "geometry/error.h"
+#include "geometry/polygons.h"
 #include "geometry/triangulation.h"
 
 namespace deformlab {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kFewest = 3, kMost = 200000;
 constexpr double kMostUneven = 10;
+constexpr double kLeastDetail = 1e-9;
 constexpr int kPasses = 40;           // of relaxation; triangles hardly get better after
 constexpr int kMostTries = 8;         // at a number of vertices
 constexpr double kFew = 0.8;          // share of them that edges of one length have to make
@@ -109,11 +111,29 @@ class Mesher {
   Triangulation meshed(double length, int passes, int least) const {
     const Spacing spacing = lengths_.spacing(length);
     const int most = 2 * std::max(options_.vertices, 50000);
-    auto mesh = delaunay_mesh(resampled(region_, spacing), spacing, {passes, least, most});
+    const Region sampled = resampled(region_, spacing);
+    check_apart(sampled);
+    auto mesh = delaunay_mesh(sampled, spacing, {passes, least, most});
     if (mesh) return *std::move(mesh);
-    throw InputError("cannot use '" + name_ + "': it has parts so thin that " +
+    throw InputError("cannot use '" + name_ + "': good triangles would have more than " +
                      std::to_string(most) +
-                     " vertices do not make triangles of it; make them thicker or leave them out");
+                     " vertices, so thin are its parts; make them thicker or leave them out");
+  }
+
+  // Computing with triangles costs more digits the thinner they are.
+  void check_apart(const Region& region) const {
+    Polygons polygons{region.outline};
+    polygons.insert(polygons.end(), region.holes.begin(), region.holes.end());
+    const double least = kLeastDetail * region.outline.cwiseAbs().maxCoeff();
+    const auto corner = corner_near_edge(polygons, least);
+    if (!corner) return;
+    const Eigen::Vector2d place = polygons[corner->polygon].col(corner->corner);
+    std::ostringstream what;
+    what << "cannot use '" << name_ << "': at (" << place[0] << ", " << place[1]
+         << ") its boundary is less than " << least
+         << " from itself, a billionth of the greatest coordinate; leave such detail out, or move "
+            "it all to the origin";
+    throw InputError(what.str());
   }
 
   const Region& region_;

@@ -41,15 +41,18 @@ struct TriangulationOptions {
 /// Delaunay triangulation, refined and then improved iteratively (Igarashi et al. 2005, section 3).
 /// The number of vertices is met within 3 % from 80 on where the region's corners, holes and thin
 /// parts leave room; they can ask for more. One connected mesh, every vertex used; the same input
-/// gives the same bytes. Throws InputError for options out of range and for a region that
-/// `checked` refuses; `name` is what the message calls it.
+/// gives the same bytes. Throws InputError for options out of range, for a region that `checked`
+/// refuses, and for one with parts so thin that triangles would be too many (twice the number asked
+/// for, 100,000 at least) or their coordinates had too few digits; `name` is what the message calls
+/// it.
 Triangulation triangulate(const Region& region, const TriangulationOptions& options,
                           const std::string& name);
 
 /// The faces of a flat shape, z equal everywhere, cut into triangles; vertices keep their numbers.
-/// Throws InputError where the shape is not flat, has no triangle, has a triangle without area or
-/// turned over beside its neighbours, or vertices that no triangle has. `name` is what the message
-/// calls it. A mesh that is turned over as a whole is turned back.
+/// A mesh that is turned over as a whole is turned back. Throws InputError as `check` does, and
+/// where the shape is not flat (to a millionth of its extent), has no triangle, a triangle without
+/// area or one that turns the other way than the first, or a vertex that no triangle has. `name` is
+/// what the message calls it.
 Triangulation flat(const Shape& shape, const std::string& name);
 
 /// The same with z = 0, for what takes a shape.
