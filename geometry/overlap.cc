@@ -25,12 +25,13 @@ struct TooTangled {};
 Eigen::Matrix3Xi neighbours_of(const Eigen::Matrix3Xi& F) {
   struct Side {
     int low, high, triangle, edge;
+    bool upward;  // from the lower number to the higher
   };
   std::vector<Side> sides;
   for (int t = 0; t < F.cols(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(F(k, t), F((k + 1) % 3, t));
-      sides.push_back({low, high, t, k});
+      const int from = F(k, t), to = F((k + 1) % 3, t);
+      sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
     }
   }
   const auto ends = [](const Side& s) { return std::tuple(s.low, s.high); };
@@ -38,7 +39,7 @@ Eigen::Matrix3Xi neighbours_of(const Eigen::Matrix3Xi& F) {
   Eigen::Matrix3Xi neighbours = Eigen::Matrix3Xi::Constant(3, F.cols(), -1);
   for (auto it = sides.begin(); it != sides.end();) {
     const auto next = std::find_if(it, sides.end(), [&](auto& s) { return ends(s) != ends(*it); });
-    if (next - it == 2 && it[0].triangle != it[1].triangle) {
+    if (next - it == 2 && it[0].upward != it[1].upward) {
       neighbours(it[0].edge, it[0].triangle) = it[1].triangle;
       neighbours(it[1].edge, it[1].triangle) = it[0].triangle;
     }

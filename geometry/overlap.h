@@ -70,8 +70,8 @@ class OverlapFinder {
   Overlaps operator()(const Eigen::Matrix2Xd& V) const;
 
   const Eigen::Matrix3Xi& F() const { return F_; }
-  /// 3×#F: the triangle across the edge from each corner to the next; −1 where there is none or
-  /// more than one.
+  /// 3×#F: the triangle across the edge from each corner to the next; −1 where there is none, more
+  /// than one, or one on the same side.
   const Eigen::Matrix3Xi& neighbours() const { return neighbours_; }
 
  private:
