@@ -121,11 +121,9 @@ Eigen::MatrixXd RbfDeformation::basis(const Eigen::Ref<const Eigen::Matrix3Xd>& 
 void RbfDeformation::factorize() {
   const Eigen::Index n = centers_.cols(), q = 1 + axes_.cols();
   sides_.compute(basis(centers_).bottomRows(q).transpose());
-  const Eigen::MatrixXd at_handles = basis(handles_).transpose();
-  Eigen::MatrixXd A(handles_.cols(), n);
-  const Eigen::MatrixXd rotated = at_handles.leftCols(n) * sides_.householderQ();
-  A << rotated.rightCols(n - q), at_handles.rightCols(q);
-  solve_.compute(A);
+  Eigen::MatrixXd A = basis(handles_).transpose();
+  A.leftCols(n).applyOnTheRight(sides_.householderQ());
+  solve_.compute(A.rightCols(n));
 }
 
 // The coefficients of d that fit the displacements of the handles (3×#handles) [length].

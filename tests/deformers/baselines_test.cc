@@ -128,13 +128,16 @@ TEST_P(Baseline, WithoutHandlesNothingMoves) {
   }
 }
 
-TEST_P(Baseline, OneHandleIsATranslation) {
+TEST_P(Baseline, FewHandlesThatMoveAlikeAreATranslation) {
   const Shape plane = bumpy_plane(12);
-  const std::unique_ptr<Deformer> deformer = make(plane);
-  deformer->compile({{}, {40}});
   const Eigen::Vector3d t(0.3, -5, 1);
-  EXPECT_EQ(deformer->update(plane.V.col(40) + t).solve.status, Status::kConverged);
-  EXPECT_LT(farthest(deformer->deformed().V, plane.V.colwise() + t), 1e-9);
+  for (const std::vector<int>& moved : {std::vector{40}, {40, 100}, {0, 5, 100}}) {
+    const std::unique_ptr<Deformer> deformer = make(plane);
+    deformer->compile({{}, moved});
+    const Report report = deformer->update(at(plane, moved).colwise() + t);
+    EXPECT_EQ(report.solve.status, Status::kConverged) << report.solve.message;
+    EXPECT_LT(farthest(deformer->deformed().V, plane.V.colwise() + t), 1e-6) << moved.size();
+  }
 }
 
 TEST_P(Baseline, KeepsWhatIsFixedAndMeetsTheTargets) {
