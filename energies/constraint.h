@@ -30,17 +30,11 @@ struct Constraint {
     return r;
   }
 
-  /// ∂r/∂X = Σ_j w_j (v − g_j, 1)ᵀ ⊗ I_d, d×d(d+1)k.
-  Eigen::Matrix<double, d, Eigen::Dynamic> jacobian(
-      std::span<const Affine<double, d>> nodes) const {
-    Eigen::Matrix<double, d, Eigen::Dynamic> J(d, d * (d + 1) * nodes.size());
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      const Vector<double, d + 1> a = w[j] * (v - g[j]).homogeneous();
-      for (int c = 0; c <= d; ++c) {
-        J.template middleCols<d>(d * ((d + 1) * j + c)) = a[c] * Matrix<double, d>::Identity();
-      }
-    }
-    return J;
+  /// a of ∂r/∂X = aᵀ ⊗ I_d: w_j (v − g_j, 1) for each of so many nodes.
+  auto coefficients(int nodes) const {
+    Eigen::Matrix<double, d + 1, Eigen::Dynamic, 0, d + 1, kMaxNeighbors> a(d + 1, nodes);
+    for (int j = 0; j < nodes; ++j) a.col(j) = w[j] * (v - g[j]).homogeneous();
+    return a;
   }
 
   void aim(const Eigen::MatrixXd& targets) { q = targets.col(index); }

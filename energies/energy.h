@@ -39,7 +39,10 @@ class Energy {
   virtual int dimension() const = 0;  ///< d
   virtual int arity() const = 0;      ///< arguments of one element
   virtual Argument argument(int a) const = 0;
-  virtual std::span<const int> nodes(int e) const = 0;  ///< arity() node indices of element e
+  virtual std::span<const int> nodes() const = 0;  ///< arity() node indices an element, in turn
+  std::span<const int> nodes(int e) const {
+    return nodes().subspan(std::size_t(e) * arity(), arity());
+  }
 
   /// One element: `x[a]` points to the first entry of its a-th node. J may be null.
   virtual void evaluate(int e, const double* const* x, double* r, double* J) const = 0;
@@ -47,6 +50,13 @@ class Energy {
   virtual void residuals(const Unknowns& x, double* r) const = 0;
   /// The Jacobians of all elements side by side, rows() × (jacobian_columns() · size()).
   virtual void jacobians(const Unknowns& x, double* J) const = 0;
+  /// Of a separable term: a of every element, one column each, jacobian_columns() / d × size().
+  virtual void coefficients(double* a) const = 0;
+  /// What every element adds to the normal equations: JᵀJ, side by side, each square of
+  /// jacobian_columns(), and Jᵀr, jacobian_columns() × size().
+  virtual void normal_equations(const Unknowns& x, double* JtJ, double* Jtr) const = 0;
+  /// Jᵀ at x times other residuals r, rows() × size(), of every element.
+  virtual void transposed_products(const Unknowns& x, const double* r, double* Jtr) const = 0;
 
   /// What the term is drawn towards has moved: d×p targets, for the terms that have any (the
   /// handles' q_l of Eq. 8).

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "energies/term.h"
 
 namespace deformlab {
@@ -18,6 +20,14 @@ struct Regularization {
   template <class T>
   Vector<T, d> operator()(const Affine<T, d>& j, const Affine<T, d>& k) const {
     return j.R * g_jk - g_jk + j.t - k.t;
+  }
+
+  /// a of ∂r/∂X = aᵀ ⊗ I_d.
+  Eigen::Matrix<double, d + 1, 2> coefficients(int) const {
+    Eigen::Matrix<double, d + 1, 2> a = Eigen::Matrix<double, d + 1, 2>::Zero();
+    a.col(0) = g_jk.homogeneous();
+    a(d, 1) = -1;
+    return a;
   }
 
   /// Both directions of every edge, each weighted by α_jk.

@@ -35,6 +35,7 @@ struct Affine {
 ///   kWeight       its weight where a config names none (else 0: off until a config asks for it)
 ///   kZeroAtRest, kRigidlyInvariant   laws that hold for it, and are then tested
 ///   jacobian      in place of automatic differentiation, which it is tested against
+///   coefficients  the same of a separable term: a of J = aᵀ ⊗ I_d, given the number of nodes
 ///   aim           takes the handles' targets
 template <class Term>
 struct Terms {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "energies/energy.h"
@@ -24,17 +25,27 @@ class TermEnergy final : public Energy {
   static constexpr int kDimension = Reads<typename Sig<double>::First>::kDimension;
   static constexpr int kMaxColumns =
       *std::max_element(Sig<double>::kColumns.begin(), Sig<double>::kColumns.end());
+  static constexpr int kMostWidth =
+      kDimension * (Sig<double>::kAnyNumber ? kMaxColumns * Sig<double>::kArity
+                                            : std::accumulate(Sig<double>::kColumns.begin(),
+                                                              Sig<double>::kColumns.end(), 0));
+  static constexpr int kWidth = Sig<double>::kAnyNumber ? Eigen::Dynamic : kMostWidth;
+  using Jacobian =
+      Eigen::Matrix<double, kRows, kWidth, kRows == 1 ? Eigen::RowMajor : Eigen::ColMajor, kRows,
+                    kMostWidth>;
   using Jet = ceres::Jet<double, kDimension * kMaxColumns>;
   static_assert(kRows > 0,
                 "a term returns a residual of fixed size, such as Vector<T, 3>, not auto");
   static_assert(kRows <= kMaxResiduals, "split a term of so many residuals into several");
 
  public:
-  /// Whether the term brings its own derivative, which must be an ordinary member function.
-  static constexpr bool kAnalytic = requires { &Term::jacobian; };
+  /// Whether the term brings its own derivative, by an ordinary member function.
+  static constexpr bool kCoefficients = requires { &Term::coefficients; };
+  static constexpr bool kAnalytic = kCoefficients || requires { &Term::jacobian; };
 
   explicit TermEnergy(Terms<Term> sum) : sum_(std::move(sum)) {
     if constexpr (!Sig<double>::kAnyNumber) sum_.arity = Sig<double>::kArity;
+    for (double& weight : sum_.weights) weight = std::sqrt(weight);  // what r and J take of it
   }
 
   std::string_view name() const override { return Term::kName; }
@@ -46,17 +57,22 @@ class TermEnergy final : public Energy {
   Argument argument(int a) const override {
     return {Sig<double>::kColumns[Sig<double>::kAnyNumber ? 0 : a]};
   }
-  std::span<const int> nodes(int e) const override {
-    return std::span(sum_.nodes).subspan(std::size_t(e) * arity(), arity());
-  }
+  using Energy::nodes;
+  std::span<const int> nodes() const override { return sum_.nodes; }
 
   void evaluate(int e, const double* const* x, double* r, double* J) const override {
-    const double scale = std::sqrt(sum_.weights[e]);
+    const double scale = sum_.weights[e];
     Eigen::Map<Residual> value(r);
     value = scale * Sig<double>::apply(sum_.elements[e], x, arity());
     if (J == nullptr) return;
     Eigen::Map<Eigen::Matrix<double, kRows, Eigen::Dynamic>> jacobian(J, kRows, jacobian_columns());
-    if constexpr (kAnalytic) {
+    if constexpr (kCoefficients) {
+      const auto a = sum_.elements[e].coefficients(arity());
+      jacobian.setZero();
+      for (Eigen::Index p = 0; p < jacobian.size() / kRows; ++p) {
+        jacobian(p % kDimension, p) = a.data()[p / kDimension];
+      }
+    } else if constexpr (kAnalytic) {
       const auto call = [&](const auto&... nodes) { return sum_.elements[e].jacobian(nodes...); };
       jacobian = Sig<double>::apply(call, x, arity());
     } else {
@@ -73,6 +89,49 @@ class TermEnergy final : public Energy {
     Residual r;
     const int stride = kRows * jacobian_columns();
     for (int e = 0; e < size(); ++e, J += stride) evaluate(e, pointers(x, e).data(), r.data(), J);
+  }
+
+  void coefficients(double* a) const override {
+    const int count = jacobian_columns() / kDimension;
+    if constexpr (kCoefficients) {
+      for (int e = 0; e < size(); ++e, a += count) {
+        const auto own = sum_.elements[e].coefficients(arity());
+        for (int c = 0; c < count; ++c) a[c] = sum_.weights[e] * own.data()[c];
+      }
+    } else {  // the first row of J, at any x
+      const std::array<double, kDimension * kMaxColumns> zero{};
+      std::array<const double*, Sig<double>::kArity> x;
+      x.fill(zero.data());
+      Eigen::Matrix<double, kRows, Eigen::Dynamic> J(kRows, jacobian_columns());
+      Residual r;
+      for (int e = 0; e < size(); ++e, a += count) {
+        evaluate(e, x.data(), r.data(), J.data());
+        for (int c = 0; c < count; ++c) a[c] = J(0, c * kDimension);
+      }
+    }
+  }
+
+  void normal_equations(const Unknowns& x, double* JtJ, double* Jtr) const override {
+    Jacobian J(kRows, jacobian_columns());
+    Residual r;
+    const int n = jacobian_columns();
+    for (int e = 0; e < size(); ++e, JtJ += n * n, Jtr += n) {
+      evaluate(e, pointers(x, e).data(), r.data(), J.data());
+      Eigen::Map<Eigen::Matrix<double, kWidth, kWidth>>(JtJ, n, n).noalias() =
+          J.transpose().lazyProduct(J);
+      Eigen::Map<Eigen::Matrix<double, kWidth, 1>>(Jtr, n).noalias() = J.transpose() * r;
+    }
+  }
+
+  void transposed_products(const Unknowns& x, const double* r, double* Jtr) const override {
+    Jacobian J(kRows, jacobian_columns());
+    Residual own;
+    const int n = jacobian_columns();
+    for (int e = 0; e < size(); ++e, r += kRows, Jtr += n) {
+      evaluate(e, pointers(x, e).data(), own.data(), J.data());
+      Eigen::Map<Eigen::Matrix<double, kWidth, 1>>(Jtr, n).noalias() =
+          J.transpose() * Eigen::Map<const Residual>(r);
+    }
   }
 
   void aim(const Eigen::MatrixXd& targets) override {

@@ -28,11 +28,14 @@ bool DirectSteps::factorize(double damping, const Eigen::VectorXd& D) {
 }
 
 bool DirectSteps::direction(double damping, const Eigen::VectorXd& D, Eigen::VectorXd& delta) {
-  if (!factorize(damping, D)) return false;
+  return factorize(damping, D) && correction(equations_->Jtr(), delta);
+}
+
+bool DirectSteps::correction(const Eigen::VectorXd& q, Eigen::VectorXd& c) {
   Stopwatch watch(work.solve_seconds);
-  solver_->solve(equations_->Jtr(), delta);
-  delta = -delta;
-  return delta.allFinite();
+  solver_->solve(q, c);
+  c = -c;
+  return c.allFinite();
 }
 
 void DirectSteps::diagonal(Eigen::VectorXd& D) const {

@@ -18,6 +18,7 @@ class DirectSteps final : public StepSolver {
   void compile(const Stage& stage) override;
   Linearization& linearization() override { return *equations_; }
   bool direction(double damping, const Eigen::VectorXd& D, Eigen::VectorXd& delta) override;
+  bool correction(const Eigen::VectorXd& q, Eigen::VectorXd& c) override;
   void diagonal(Eigen::VectorXd& D) const override;
   long nonzeros_JtJ() const override { return equations_->H().nonZeros(); }
   long nonzeros_factor() const override;

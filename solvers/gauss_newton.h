@@ -24,6 +24,10 @@ class GaussNewton final : public Solver {
   Outcome advance(Stage& stage, Iteration& iteration);
   Outcome full_step(Stage& stage, Iteration& iteration);
   Outcome line_search(Stage& stage, Iteration& iteration);
+  Outcome accelerated(Stage& stage, Iteration& iteration);
+  void conjugate();
+  void find_length(const Stage& stage, double slope, Iteration& iteration);
+  bool bend(const Stage& stage, Iteration& iteration);
   Outcome levenberg(Stage& stage, Iteration& iteration);
   bool newton_direction();
   double try_step(const Stage& stage, double scale);
@@ -34,8 +38,11 @@ class GaussNewton final : public Solver {
   SolverOptions options_;
   std::unique_ptr<StepSolver> steps_;
   Eigen::VectorXd delta_, D_;
+  // Of `accelerated`: the direction by Gauss–Newton and the gradient it came from, then the last.
+  Eigen::VectorXd newton_, gradient_, last_newton_, last_gradient_, last_delta_, q_, c_;
   Unknowns trial_;
   double cost_ = 0, damping_ = 0, damping_growth_ = 2;
+  bool conjugate_ = false, bends_ = true;
   Summary summary_;
 };
 

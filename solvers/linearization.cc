@@ -1,10 +1,25 @@
 #include "solvers/linearization.h"
 
-#include <cmath>
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
+#include "solvers/column_order.h"
 namespace deformlab {
 namespace {
+
+// F has fallen to this share since it was summed over residuals: rounding then counts, and it is
+// summed anew.
+constexpr double kRefresh = 1e-8;
+
+// Jᵀ r of every element.
+void multiply_transposed(const Linearization::Part& part, Eigen::MatrixXd& Jtr) {
+  const Eigen::Index n = Jtr.rows();
+  for (Eigen::Index e = 0; e < Jtr.cols(); ++e) {
+    const auto J = part.J.middleCols(n * e, n);
+    for (Eigen::Index p = 0; p < n; ++p) Jtr(p, e) = J.col(p).dot(part.r.col(e));
+  }
+}
 
 int columns_read(const Energy& energy) { return energy.jacobian_columns() / energy.dimension(); }
 
@@ -13,84 +28,106 @@ int columns_read(const Energy& energy) { return energy.jacobian_columns() / ener
 Linearization::Linearization(const Stage& stage) : dimension_(stage.x.dimension()) {
   check(stage);
   const Unknowns& x = stage.x;
-  place_.assign(x.X.size(), -1);
   int free = 0;
+  rank_.assign(x.X.cols(), -1);
   for (int j = 0; j < x.nodes(); ++j) {
-    if (stage.fixed[j]) continue;
-    const int begin = x.first[j] * dimension_, end = x.first[j + 1] * dimension_;
-    for (int i = begin; i < end; ++i) place_[i] = free++;
+    for (int c = x.first[j]; c < x.first[j + 1] && !stage.fixed[j]; ++c) rank_[c] = free++;
   }
-  Jtr_ = Eigen::VectorXd::Zero(free);
-  for (const auto& [energy, weight] : stage.terms) {
-    Part part{energy.get(), weight, {}, {}, {}};
-    part.r.resize(energy->rows(), energy->size());
-    add_columns(x, part);
-    add_constant(x, part);
-    parts_.push_back(std::move(part));
+  for (Columns4* block : {&G_, &delta_, &Adelta_}) *block = Columns4::Zero(4, free);
+  Jtr_ = Eigen::VectorXd::Zero(dimension_ * free);
+  place_.resize(rank_.size() * dimension_);
+  number();
+  std::vector<const Energy*> energies;
+  for (const WeightedEnergy& term : stage.terms) {
+    add_part(stage, term);
+    energies.push_back(term.energy.get());
   }
-  A_.resize(x.X.cols(), x.X.cols());
-  assemble_separable();
+  blocks_ = std::make_unique<NodeBlocks>(x, energies);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].separable()) blocks_->add_separable(i, parts_[i].weight, parts_[i].J);
+  }
 }
 
-void Linearization::add_columns(const Unknowns& x, Part& part) const {
-  const Energy& energy = *part.energy;
-  for (int e = 0; e < energy.size(); ++e) {
-    for (int a = 0; a < energy.arity(); ++a) {
-      const int first = x.first[energy.nodes(e)[a]];
-      for (int c = 0; c < energy.argument(a).count; ++c) part.column.push_back(first + c);
+void Linearization::number() {
+  for (std::size_t c = 0; c < rank_.size(); ++c) {
+    for (int i = 0; i < dimension_; ++i) {
+      place_[c * dimension_ + i] = rank_[c] < 0 ? -1 : dimension_ * rank_[c] + i;
     }
   }
 }
 
-// The derivative of a separable term is J = aᵀ ⊗ I_d: its first row says it all.
-void Linearization::add_constant(const Unknowns& x, Part& part) {
-  const Energy& energy = *part.energy;
+void Linearization::order_columns() {
+  const std::vector<int> order = column_order(*blocks_, rank_, free_columns());
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int>(i);
+  for (int& rank : rank_) {
+    if (rank >= 0) rank = place[rank];
+  }
+  number();
+}
+
+void Linearization::assemble() { A_ = blocks_->lower(rank_, free_columns()); }
+
+void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
+  const Energy& energy = *term.energy;
+  const Unknowns& x = stage.x;
+  Part part{.energy = &energy, .weight = term.weight};
+  part.column.resize(std::size_t(energy.size()) * columns_read(energy));
+  const std::span<const int> nodes = energy.nodes();
+  const int arity = energy.arity();
+  for (int a = 0, offset = 0; a < arity; offset += energy.argument(a++).count) {
+    const int count = energy.argument(a).count;
+    int* column = part.column.data() + offset;
+    for (std::size_t i = a; i < nodes.size(); i += arity, column += columns_read(energy)) {
+      for (int c = 0; c < count; ++c) column[c] = x.first[nodes[i]] + c;
+    }
+  }
   const int width = energy.jacobian_columns();
-  Eigen::MatrixXd J(energy.rows(), std::ptrdiff_t(width) * energy.size());
-  if (energy.structure() == Structure::kNonlinear) {
-    part.J = std::move(J);
-    return;
+  const std::ptrdiff_t all = std::ptrdiff_t(width) * energy.size();
+  part.r.resize(energy.rows(), energy.size());
+  if (!part.separable()) part.Jtr.resize(width, energy.size());
+  if (energy.structure() == Structure::kNonlinear) part.bent.resize(width, energy.size());
+  local_.resize(std::max<std::size_t>(local_.size(), width));
+  if (part.separable()) {
+    part.J.resize(columns_read(energy), energy.size());
+    energy.coefficients(part.J.data());
+  } else if (part.square()) {
+    part.JtJ.resize(width, all);
+    energy.normal_equations(x, part.JtJ.data(), part.Jtr.data());
+  } else {
+    part.J.resize(energy.rows(), all);
+    energy.jacobians(x, part.J.data());
   }
-  energy.jacobians(x, J.data());
-  if (energy.structure() == Structure::kLinear) {
-    part.J = std::move(J);
-    return;
-  }
-  part.J.resize(columns_read(energy), energy.size());
-  for (int e = 0; e < energy.size(); ++e) {
-    for (int c = 0; c < columns_read(energy); ++c) {
-      part.J(c, e) = J(0, std::ptrdiff_t(width) * e + c * dimension_);
-    }
-  }
+  parts_.push_back(std::move(part));
 }
 
-// A = CᵀC with one row of C an element: √w a. Zero coefficients leave no trace in the structure:
-// E_reg does not couple R_j with R_k.
-void Linearization::assemble_separable() {
-  std::vector<Eigen::Triplet<double>> entries;
-  int row = 0;
-  for (const Part& part : parts_) {
-    if (part.energy->structure() != Structure::kSeparable) continue;
-    for (int e = 0; e < part.energy->size(); ++e, ++row) {
-      const int* column = part.column.data() + e * part.J.rows();
-      for (Eigen::Index p = 0; p < part.J.rows(); ++p) {
-        const double value = std::sqrt(part.weight) * part.J(p, e);
-        if (value != 0) entries.emplace_back(row, column[p], value);
+SparseMatrix Linearization::nearest_separable() const {
+  NodeBlocks blocks = *blocks_;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    if (part.square()) {
+      blocks.add_mean_diagonals(i, part.weight, part.JtJ);
+    } else if (!part.separable()) {
+      const int width = part.energy->jacobian_columns();
+      Eigen::MatrixXd JtJ(width, part.J.cols());
+      for (Eigen::Index c = 0; c < part.J.cols(); c += width) {
+        const auto J = part.J.middleCols(c, width);
+        JtJ.middleCols(c, width) = J.transpose() * J;
       }
+      blocks.add_mean_diagonals(i, part.weight, JtJ);
     }
   }
-  SparseMatrix C(row, A_.cols());
-  C.setFromTriplets(entries.begin(), entries.end());
-  A_ = SparseMatrix(C.transpose() * C).triangularView<Eigen::Lower>();
+  return blocks.lower(rank_, free_columns());
 }
 
 double Linearization::evaluate(const Unknowns& x) {
-  double sum = 0;
+  double others = 0;
+  separable_ = 0;
   for (Part& part : parts_) {
     part.energy->residuals(x, part.r.data());
-    sum += part.weight * part.r.squaredNorm();
+    (part.separable() ? separable_ : others) += part.weight * part.r.squaredNorm();
   }
-  return sum;
+  return exact_ = separable_ + others;
 }
 
 std::vector<double> Linearization::cost_by_term() const {
@@ -100,30 +137,116 @@ std::vector<double> Linearization::cost_by_term() const {
 }
 
 void Linearization::linearize(const Unknowns& x) {
-  Jtr_.setZero();
-  for (Part& part : parts_) {
-    if (part.energy->structure() == Structure::kNonlinear) {
-      part.energy->jacobians(x, part.J.data());
-    }
-    add_Jtr(part);
-  }
+  linearize_separable();
+  linearize_others(x);
 }
 
-void Linearization::add_Jtr(const Part& part) {
-  const int d = dimension_, n = columns_read(*part.energy);
-  const bool separable = part.energy->structure() == Structure::kSeparable;
-  const int* column = part.column.data();
-  for (int e = 0; e < part.energy->size(); ++e, column += n) {
-    const auto r = part.r.col(e);
-    for (int c = 0; c < n; ++c) {
-      for (int i = 0; i < d; ++i) {
-        const int at = place(i, column[c]);
-        if (at < 0) continue;
-        const std::ptrdiff_t p = (std::ptrdiff_t(e) * n + c) * d + i;
-        Jtr_[at] += part.weight * (separable ? part.J(c, e) * r[i] : part.J.col(p).dot(r));
+void Linearization::linearize_separable() {
+  G_.setZero();
+  for (const Part& part : parts_) {
+    if (!part.separable()) continue;
+    const auto n = static_cast<int>(part.J.rows());
+    const int* column = part.column.data();
+    const double* a = part.J.data();
+    for (int e = 0; e < part.energy->size(); ++e, column += n, a += n) {
+      Eigen::Vector4d r = Eigen::Vector4d::Zero();
+      for (int i = 0; i < dimension_; ++i) r[i] = part.weight * part.r(i, e);
+      for (int c = 0; c < n; ++c) {
+        const int at = rank_[column[c]];
+        if (at >= 0) G_.col(at) += a[c] * r;
       }
     }
   }
+}
+
+void Linearization::linearize_others(const Unknowns& x) {
+  scatter(G_, Jtr_);
+  for (Part& part : parts_) {
+    if (part.separable()) continue;
+    if (part.square()) {
+      part.energy->normal_equations(x, part.JtJ.data(), part.Jtr.data());
+    } else if (part.energy->structure() == Structure::kNonlinear) {
+      part.energy->jacobians(x, part.J.data());
+    }
+    if (!part.square()) multiply_transposed(part, part.Jtr);
+    add(part, part.Jtr, Jtr_);
+  }
+  linearized();
+}
+
+// sum += w Σ of the elements' d entries a column.
+void Linearization::add(const Part& part, const Eigen::MatrixXd& Jtr, Eigen::VectorXd& sum) const {
+  const double* entry = Jtr.data();
+  for (const int column : part.column) {
+    for (int i = 0; i < dimension_; ++i, ++entry) {
+      const int at = place(i, column);
+      if (at >= 0) sum[at] += part.weight * *entry;
+    }
+  }
+}
+
+void Linearization::bend(const Unknowns& x, const Eigen::VectorXd& delta, Eigen::VectorXd& q) {
+  q.setZero();
+  for (Part& part : parts_) {
+    if (part.energy->structure() != Structure::kNonlinear) continue;
+    if (part.square()) {
+      part.energy->transposed_products(x, part.r.data(), part.bent.data());
+    } else {
+      multiply_transposed(part, part.bent);
+    }
+    part.bent -= part.Jtr;
+    const int n = static_cast<int>(part.Jtr.rows());
+    Eigen::Map<Eigen::VectorXd> own(local_.data(), n);
+    for (int e = 0; e < part.energy->size(); ++e) {
+      for (int p = 0; p < n; ++p) {
+        const int at = place(p % dimension_, part.column[(std::ptrdiff_t(e) * n + p) / dimension_]);
+        own[p] = at < 0 ? 0 : delta[at];
+      }
+      const std::ptrdiff_t first = std::ptrdiff_t(e) * n;
+      if (part.square()) {
+        part.bent.col(e).noalias() -= part.JtJ.middleCols(first, n).lazyProduct(own);
+      } else {
+        const auto J = part.J.middleCols(first, n);
+        for (Eigen::Index row = 0; row < J.rows(); ++row) {
+          part.bent.col(e) -= J.row(row).dot(own) * J.row(row).transpose();
+        }
+      }
+    }
+    add(part, part.bent, q);
+  }
+}
+
+void Linearization::set_direction(const Eigen::VectorXd& delta) {
+  gather(delta, delta_);
+  Adelta_.setZero();
+  add_product(A_, delta_, Adelta_);
+  slope_ = dot(G_, delta_);
+  curvature_ = dot(delta_, Adelta_);
+}
+
+double Linearization::evaluate_step(const Unknowns& to, double scale) {
+  scale_ = scale;
+  share_ = std::max(0.0, separable_ + scale * (2 * slope_ + scale * curvature_));
+  others_ = 0;
+  for (Part& part : parts_) {
+    if (part.separable()) continue;
+    part.energy->residuals(to, part.r.data());
+    others_ += part.weight * part.r.squaredNorm();
+  }
+  return share_ + others_;
+}
+
+double Linearization::linearize_step(const Unknowns& to) {
+  double cost = share_ + others_;
+  if (cost < kRefresh * exact_) {
+    cost = evaluate(to);
+    linearize_separable();
+  } else {
+    separable_ = share_;
+    G_ += scale_ * Adelta_;
+  }
+  linearize_others(to);
+  return cost;
 }
 
 void Linearization::step(const Unknowns& from, const Eigen::VectorXd& delta, double scale,
@@ -132,6 +255,22 @@ void Linearization::step(const Unknowns& from, const Eigen::VectorXd& delta, dou
   double* y = to.X.data();
   for (std::size_t i = 0; i < place_.size(); ++i) {
     y[i] = place_[i] < 0 ? x[i] : x[i] + scale * delta[place_[i]];
+  }
+}
+
+void Linearization::gather(const Eigen::VectorXd& x, Columns4& block) const {
+  for (std::size_t c = 0; c < rank_.size(); ++c) {
+    for (int i = 0; i < dimension_ && rank_[c] >= 0; ++i) {
+      block(i, rank_[c]) = x[place_[c * dimension_ + i]];
+    }
+  }
+}
+
+void Linearization::scatter(const Columns4& block, Eigen::VectorXd& x) const {
+  for (std::size_t c = 0; c < rank_.size(); ++c) {
+    for (int i = 0; i < dimension_ && rank_[c] >= 0; ++i) {
+      x[place_[c * dimension_ + i]] = block(i, rank_[c]);
+    }
   }
 }
 

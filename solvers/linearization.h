@@ -1,17 +1,20 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <memory>
 #include <vector>
 
+#include "solvers/columns4.h"
+#include "solvers/node_blocks.h"
 #include "solvers/stage.h"
 
 namespace deformlab {
 
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-
 /// A stage linearized: the residuals r of all its terms, each scaled by √w, and their derivative J,
 /// kept term by term as each declares its structure. What is constant is computed once, here; after
 /// construction nothing allocates.
+///
+/// Where a step leads, the separable terms need not be evaluated: their share of F is quadratic,
+/// and A knows how it changes.
 class Linearization {
  public:
   /// Throws InputError for a term that reads nodes of another dimension or of too few columns.
@@ -23,43 +26,87 @@ class Linearization {
   /// w E of each term at the x that was last evaluated, in the stage's order.
   std::vector<double> cost_by_term() const;
   /// J and Jᵀr at the x that was last evaluated.
-  virtual void linearize(const Unknowns& x);
+  void linearize(const Unknowns& x);
+
+  /// Prepares steps along δ from the x that was linearized last.
+  void set_direction(const Eigen::VectorXd& delta);
+  /// F at `to` = x + scale · δ.
+  double evaluate_step(const Unknowns& to, double scale);
+  /// J and Jᵀr at the `to` that was evaluated last, which is the new x. Returns F there, free of
+  /// the rounding that many steps add up.
+  double linearize_step(const Unknowns& to);
+
+  /// q = Jᵀ (r(to) − r(x) − J δ) for the direction δ and the `to` = x + δ that was evaluated last:
+  /// how far the residuals bend away from their linearization. x is what was linearized last.
+  void bend(const Unknowns& x, const Eigen::VectorXd& delta, Eigen::VectorXd& q);
 
   const Eigen::VectorXd& Jtr() const { return Jtr_; }  ///< n, half of ∇F
   int unknowns() const { return static_cast<int>(Jtr_.size()); }
-  int dimension() const { return dimension_; }                                  ///< d
-  int columns() const { return static_cast<int>(place_.size()) / dimension_; }  ///< of X
+  int dimension() const { return dimension_; }                      ///< d
+  int columns() const { return static_cast<int>(rank_.size()); }    ///< of X
+  int free_columns() const { return static_cast<int>(G_.cols()); }  ///< those of nodes not fixed
   /// The place among the unknowns of an entry of X, or −1 where its node is fixed.
   int place(int row, int column) const { return place_[column * dimension_ + row]; }
+  /// The place of a column of X among the free ones, or −1. The d entries of a column are
+  /// consecutive unknowns, in the order of the ranks, unless a derived class orders them otherwise.
+  const std::vector<int>& rank() const { return rank_; }
+
+  /// Ranks the free columns in a fill-reducing order of A. Before, they are as they come.
+  void order_columns();
+  /// Makes A, which has to be there before anything is evaluated along a direction.
+  void assemble();
 
   /// to = from + scale · δ on the free entries.
   void step(const Unknowns& from, const Eigen::VectorXd& delta, double scale, Unknowns& to) const;
 
   /// One term's part.
   struct Part {
-    const Energy* energy;
-    double weight;
-    Eigen::MatrixXd r;        ///< rows × elements
-    Eigen::MatrixXd J;        ///< separable: coefficients a, one column an element; else Jacobians
-    std::vector<int> column;  ///< columns of X that an element reads, arguments in turn
+    const Energy* energy = nullptr;
+    double weight = 1;
+    Eigen::MatrixXd r{};  ///< rows × elements
+    Eigen::MatrixXd J{};  ///< separable: coefficients a, one column an element; else Jacobians
+    Eigen::MatrixXd JtJ{};  ///< of all elements, side by side, in place of J: of a term of one node
+    Eigen::MatrixXd Jtr{};  ///< of every element, unless separable
+    Eigen::MatrixXd bent{}; ///< the same of `bend`, of nonlinear terms
+    std::vector<int> column{};  ///< columns of X that an element reads, arguments in turn
+    bool separable() const { return energy->structure() == Structure::kSeparable; }
+    bool square() const { return !separable() && energy->arity() == 1; }
   };
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// The separable terms' JᵀJ is A ⊗ I_d: the lower triangle of A, over the columns of X.
+  /// The separable terms' JᵀJ is A ⊗ I_d: the lower triangle of A, over the free columns.
   const SparseMatrix& A() const { return A_; }
+  /// Ã, the nearest such matrix to all terms' JᵀJ in the Frobenius norm where it was linearized
+  /// last: of what is not separable each d×d block counts by its mean diagonal.
+  SparseMatrix nearest_separable() const;
+
+  void gather(const Eigen::VectorXd& x, Columns4& block) const;
+  void scatter(const Columns4& block, Eigen::VectorXd& x) const;
 
  protected:
+  /// Called whenever J has changed.
+  virtual void linearized() {}
+
   std::vector<int> place_;  // of each entry of X
 
  private:
-  void add_columns(const Unknowns& x, Part& part) const;
-  void add_constant(const Unknowns& x, Part& part);
-  void assemble_separable();
-  void add_Jtr(const Part& part);
+  void number();
+  void add_part(const Stage& stage, const WeightedEnergy& term);
+  void linearize_separable();
+  void linearize_others(const Unknowns& x);
+  void add(const Part& part, const Eigen::MatrixXd& Jtr, Eigen::VectorXd& sum) const;
 
   int dimension_ = 0;
+  std::vector<int> rank_;
   std::vector<Part> parts_;
+  std::unique_ptr<NodeBlocks> blocks_;
   SparseMatrix A_;
+  Columns4 G_;  // Jᵀr of the separable terms, free columns in the order of their ranks
+  Columns4 delta_, Adelta_;
+  std::vector<double> local_;  // an element's share of a direction
+  double separable_ = 0, slope_ = 0, curvature_ = 0;  // their share of F, and how it changes
+  double scale_ = 0, share_ = 0, others_ = 0;         // of the last evaluate_step
+  double exact_ = 0;                                  // F where it was evaluated by residuals
   Eigen::VectorXd Jtr_;
 };
 

@@ -4,7 +4,18 @@
 
 namespace deformlab {
 
+namespace {
+
+// One entry of an element's JᵀJ.
+double square(const Linearization::Part& part, int e, int p, int q) {
+  const std::ptrdiff_t first = std::ptrdiff_t(e) * part.energy->jacobian_columns();
+  return part.square() ? part.JtJ(p, first + q) : part.J.col(first + p).dot(part.J.col(first + q));
+}
+
+}  // namespace
+
 NormalEquations::NormalEquations(const Stage& stage) : Linearization(stage) {
+  assemble();
   assemble_structure();
 }
 
@@ -25,23 +36,24 @@ void NormalEquations::for_each_pair(const Part& part, int e, Visit&& visit) cons
 
 void NormalEquations::assemble_structure() {
   Triplets triplets;
+  std::vector<int> column(free_columns());  // of X, by rank
+  for (int c = 0; c < columns(); ++c) {
+    if (rank()[c] >= 0) column[rank()[c]] = c;
+  }
   for (int c = 0; c < A().outerSize(); ++c) {
     for (SparseMatrix::InnerIterator it(A(), c); it; ++it) {
       for (int i = 0; i < dimension(); ++i) {
-        const auto [col, row] = std::minmax({place(i, c), place(i, static_cast<int>(it.row()))});
-        if (col >= 0) triplets.emplace_back(row, col, it.value());
+        const auto [col, row] = std::minmax<int>({place(i, column[c]), place(i, column[it.row()])});
+        triplets.emplace_back(row, col, it.value());
       }
     }
   }
   for (const Part& part : parts()) {
     if (part.energy->structure() == Structure::kSeparable) continue;
     const bool constant = part.energy->structure() == Structure::kLinear;
-    const int width = part.energy->jacobian_columns();
     for (int e = 0; e < part.energy->size(); ++e) {
-      const auto J = part.J.middleCols(std::ptrdiff_t(e) * width, width);
       for_each_pair(part, e, [&](int p, int q, int row, int col) {
-        const double value = constant ? part.weight * J.col(p).dot(J.col(q)) : 0;
-        triplets.emplace_back(row, col, value);
+        triplets.emplace_back(row, col, constant ? part.weight * square(part, e, p, q) : 0);
       });
     }
   }
@@ -77,8 +89,7 @@ void NormalEquations::reorder(const Eigen::VectorXi& order) {
   assemble_structure();
 }
 
-void NormalEquations::linearize(const Unknowns& x) {
-  Linearization::linearize(x);
+void NormalEquations::linearized() {
   Eigen::Map<Eigen::VectorXd>(H_.valuePtr(), H_.nonZeros()) = constant_;
   for (std::size_t i = 0; i < parts().size(); ++i) {
     if (!targets_[i].empty()) add_JtJ(parts()[i], targets_[i]);
@@ -86,13 +97,11 @@ void NormalEquations::linearize(const Unknowns& x) {
 }
 
 void NormalEquations::add_JtJ(const Part& part, const std::vector<int>& targets) {
-  const int width = part.energy->jacobian_columns();
   double* values = H_.valuePtr();
   const int* target = targets.data();
   for (int e = 0; e < part.energy->size(); ++e) {
-    const auto J = part.J.middleCols(std::ptrdiff_t(e) * width, width);
     for_each_pair(part, e, [&](int p, int q, int, int) {
-      values[*target++] += part.weight * J.col(p).dot(J.col(q));
+      values[*target++] += part.weight * square(part, e, p, q);
     });
   }
 }

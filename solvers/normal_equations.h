@@ -16,10 +16,11 @@ class NormalEquations final : public Linearization {
   /// Puts unknown order[i] in place i, for a fill-reducing order of H's rows and columns.
   void reorder(const Eigen::VectorXi& order);
 
-  /// H = JᵀJ and Jᵀr at the x that was last evaluated.
-  void linearize(const Unknowns& x) override;
+  /// JᵀJ where the stage was linearized last, n×n, lower triangle.
+  const SparseMatrix& H() const { return H_; }
 
-  const SparseMatrix& H() const { return H_; }  ///< n×n, lower triangle
+ protected:
+  void linearized() override;
 
  private:
   using Triplets = std::vector<Eigen::Triplet<double>>;

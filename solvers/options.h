@@ -32,7 +32,7 @@ struct SolverOptions {
         {"auto", "cholmod", "eigen_ldlt", "separable_cg", "dense_qr", "dense_normal_cholesky",
          "sparse_normal_cholesky", "dense_schur", "sparse_schur", "iterative_schur", "cgnr"},
         "gauss_newton: cholmod, eigen_ldlt, separable_cg; ceres: the others; auto: the usual one");
-    visit.choice("globalization", o.globalization, {"none", "line_search", "levenberg"},
+    visit.choice("globalization", o.globalization, {"none", "line_search", "levenberg", "accelerated"},
                  "of gauss_newton: full steps (the paper's), halved steps, or damped ones");
     visit.choice("ceres_trust_region", o.ceres_trust_region, {"levenberg_marquardt", "dogleg"},
                  "of ceres");

@@ -18,7 +18,7 @@ void check(const SolverOptions& o) {
     throw InputError("solver.max_iterations is " + std::to_string(o.max_iterations) +
                      "; at least 1 is needed");
   }
-  if (o.globalization != "none" && o.globalization != "line_search" &&
+  if (o.globalization != "none" && o.globalization != "accelerated" && o.globalization != "line_search" &&
       o.globalization != "levenberg") {
     throw InputError("unknown solver.globalization '" + o.globalization +
                      "'; known: none, line_search, levenberg");

@@ -9,10 +9,12 @@ namespace {
 
 bool fits(const Energy& energy, const Unknowns& x) {
   if (energy.dimension() != x.dimension()) return false;
-  for (int e = 0; e < energy.size(); ++e) {
-    for (int a = 0; a < energy.arity(); ++a) {
-      const int node = energy.nodes(e)[a];
-      if (node < 0 || node >= x.nodes() || energy.argument(a).count > x.columns(node)) return false;
+  const std::span<const int> nodes = energy.nodes();
+  const int arity = energy.arity();
+  for (int a = 0; a < arity; ++a) {
+    const int count = energy.argument(a).count;
+    for (std::size_t i = a; i < nodes.size(); i += arity) {
+      if (nodes[i] < 0 || nodes[i] >= x.nodes() || count > x.columns(nodes[i])) return false;
     }
   }
   return true;

@@ -16,7 +16,7 @@ struct LinearWork {
   double solve_seconds = 0;
 };
 
-/// Computes Gauss–Newton directions of a stage, (JᵀJ + λ diag(D)) δ = −Jᵀr.
+/// Computes Gauss–Newton directions of a stage, (JᵀJ + λ diag(D)) δ = −Jᵀr, and corrections.
 class StepSolver {
  public:
   virtual ~StepSolver() = default;
@@ -28,6 +28,8 @@ class StepSolver {
   /// δ at what was linearized last. False where the matrix is singular in double precision.
   ///   D  n, used where damping > 0.
   virtual bool direction(double damping, const Eigen::VectorXd& D, Eigen::VectorXd& delta) = 0;
+  /// c = −(JᵀJ)⁻¹ q where δ was computed last, without damping.
+  virtual bool correction(const Eigen::VectorXd& q, Eigen::VectorXd& c) = 0;
   /// The diagonal of JᵀJ.
   virtual void diagonal(Eigen::VectorXd& D) const = 0;
   /// Nonzeros of JᵀJ's lower triangle as it is kept, and of the factor.

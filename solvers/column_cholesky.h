@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "solvers/columns4.h"
+
+namespace deformlab {
+
+/// A Cholesky factor A = L Lᵀ of a sparse positive definite matrix, laid out for solves with four
+/// right-hand sides at once: up to four columns of L that have the same rows below them lie side by
+/// side in a panel, row after row. A solve then reads L as one stream.
+class ColumnCholesky {
+ public:
+  /// Factors the matrix of this lower triangle, whose rows are in a fill-reducing order already
+  /// (column_order) and which has every entry of its diagonal. False where it is singular in double
+  /// precision or not positive definite.
+  bool factorize(const SparseMatrix& lower);
+  /// z ← A⁻¹ z by the last factorization, which must have succeeded. Allocates nothing.
+  void solve(Columns4& z) const;
+  /// Entries of the panels.
+  long nonzeros() const { return static_cast<long>(values_.size()); }
+
+  struct Panel {
+    int first, width;           // columns
+    int rows;                   // below its triangle
+    std::size_t index, values;  // where its rows and entries begin
+  };
+
+ private:
+  void find_panels(const SparseMatrix& lower);
+  void sort_rows(int n);
+  bool compute(const SparseMatrix& lower);
+
+  std::vector<Panel> panels_;
+  std::vector<int> rows_;
+  // Of each panel its lower triangle row by row, with the inverse of the diagonal, then the rows.
+  std::vector<double> values_;
+};
+
+}  // namespace deformlab

@@ -1,0 +1,197 @@
+#include "solvers/node_blocks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace deformlab {
+namespace {
+
+constexpr int kFewNodes = 2;  // that an element reads: as fast to add as to look up
+
+std::uint64_t hash(std::span<const int> nodes) {
+  std::uint64_t h = 0;
+  for (const int node : nodes) h = (h ^ static_cast<std::uint64_t>(node)) * 0x9e3779b97f4a7c15;
+  return h ^ (h >> 32);
+}
+
+// Positions of the keys in ascending order, equal ones as they come.
+template <class Key>
+std::vector<int> counting_sort(const std::vector<int>& items, int keys, Key&& key) {
+  std::vector<int> begin(keys + 1, 0), sorted(items.size());
+  for (const int i : items) ++begin[key(i) + 1];
+  for (int k = 0; k < keys; ++k) begin[k + 1] += begin[k];
+  for (const int i : items) sorted[begin[key(i)]++] = i;
+  return sorted;
+}
+
+std::vector<int> numbers(std::size_t count) {
+  std::vector<int> result(count);
+  for (std::size_t i = 0; i < count; ++i) result[i] = static_cast<int>(i);
+  return result;
+}
+
+}  // namespace
+
+NodeBlocks::NodeBlocks(const Unknowns& x, const std::vector<const Energy*>& energies)
+    : first_(x.first) {
+  for (const Energy* energy : energies) {
+    Groups groups = group(*energy);
+    groups.first_pair = pairs_.size();
+    for (std::size_t g = 0; g + 1 < groups.begin.size(); ++g) {
+      const auto nodes = energy->nodes(groups.elements[groups.begin[g]]);
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        for (std::size_t b = 0; b <= a; ++b) {
+          pairs_.emplace_back(std::max(nodes[a], nodes[b]), std::min(nodes[a], nodes[b]));
+        }
+      }
+    }
+    groups_.push_back(std::move(groups));
+  }
+  for (int j = 0; j < x.nodes(); ++j) pairs_.emplace_back(j, j);
+  find_blocks();
+}
+
+// By a table of hashes with open addressing.
+NodeBlocks::Groups NodeBlocks::group(const Energy& energy) {
+  const int count = energy.size();
+  if (energy.arity() <= kFewNodes) return {&energy, numbers(count), numbers(count + 1), 0};
+  std::size_t size = 16;
+  while (size < 2 * static_cast<std::size_t>(count)) size *= 2;
+  std::vector<int> table(size, -1), group_of(count), first;
+  for (int e = 0; e < count; ++e) {
+    const auto nodes = energy.nodes(e);
+    std::size_t at = hash(nodes) & (size - 1);
+    while (table[at] >= 0 && !std::ranges::equal(energy.nodes(first[table[at]]), nodes)) {
+      at = (at + 1) & (size - 1);
+    }
+    if (table[at] < 0) {
+      table[at] = static_cast<int>(first.size());
+      first.push_back(e);
+    }
+    group_of[e] = table[at];
+  }
+  std::vector<int> begin(first.size() + 1, 0);
+  for (const int g : group_of) ++begin[g + 1];
+  for (std::size_t g = 0; g < first.size(); ++g) begin[g + 1] += begin[g];
+  return {&energy,
+          counting_sort(numbers(count), static_cast<int>(first.size()),
+                        [&](int e) { return group_of[e]; }),
+          std::move(begin), 0};
+}
+
+void NodeBlocks::find_blocks() {
+  const int m = static_cast<int>(first_.size()) - 1;
+  std::vector<int> order = numbers(pairs_.size());
+  order = counting_sort(order, m, [&](int i) { return pairs_[i].first; });
+  order = counting_sort(order, m, [&](int i) { return pairs_[i].second; });
+  slot_of_.resize(pairs_.size());
+  std::size_t size = 0;
+  for (const int i : order) {
+    if (nodes_.empty() || nodes_.back() != pairs_[i]) {
+      const auto [j, k] = pairs_[i];
+      nodes_.push_back(pairs_[i]);
+      offset_.push_back(size);
+      size += std::size_t(first_[j + 1] - first_[j]) * (first_[k + 1] - first_[k]);
+    }
+    slot_of_[i] = static_cast<int>(nodes_.size()) - 1;
+  }
+  values_.assign(size, 0);
+}
+
+void NodeBlocks::add_block(int slot, bool transposed, const Eigen::MatrixXd& local, int row,
+                           int column, int rows, int columns) {
+  const int stride = first_[nodes_[slot].first + 1] - first_[nodes_[slot].first];
+  double* block = values_.data() + offset_[slot];
+  for (int q = 0; q < columns; ++q) {
+    const double* from = local.data() + (column + q) * local.rows() + row;
+    for (int p = 0; p < rows; ++p) block[transposed ? p * stride + q : q * stride + p] += from[p];
+  }
+}
+
+// A symmetric matrix over the columns that the elements of a group read, arguments in turn; its
+// lower triangle is enough off the diagonal of the blocks.
+void NodeBlocks::add(const Groups& groups, int group, const Eigen::MatrixXd& local) {
+  const Energy& energy = *groups.energy;
+  const int arity = energy.arity();
+  const auto nodes = energy.nodes(groups.elements[groups.begin[group]]);
+  const int* slot =
+      slot_of_.data() + groups.first_pair + std::size_t(group) * arity * (arity + 1) / 2;
+  for (int a = 0, row = 0; a < arity; row += energy.argument(a++).count) {
+    const int rows = energy.argument(a).count;
+    for (int b = 0, column = 0; b <= a; column += energy.argument(b++).count, ++slot) {
+      const int columns = energy.argument(b).count;
+      add_block(*slot, nodes[a] < nodes[b], local, row, column, rows, columns);
+      const bool twice = a != b && nodes[a] == nodes[b];  // an element that reads a node twice
+      if (twice) add_block(*slot, true, local, row, column, rows, columns);
+    }
+  }
+}
+
+void NodeBlocks::add_separable(std::size_t energy, double weight, const Eigen::MatrixXd& a) {
+  const Groups& groups = groups_[energy];
+  const auto n = static_cast<int>(a.rows());
+  Eigen::MatrixXd local(n, n);
+  for (int g = 0; g + 1 < static_cast<int>(groups.begin.size()); ++g) {
+    local.setZero();
+    for (int i = groups.begin[g]; i < groups.begin[g + 1]; ++i) {
+      const double* e = a.data() + std::size_t(groups.elements[i]) * n;
+      for (int q = 0; q < n; ++q) {
+        if (e[q] == 0) continue;
+        const double scaled = weight * e[q];
+        for (int p = 0; p < n; ++p) local(p, q) += scaled * e[p];
+      }
+    }
+    add(groups, g, local);
+  }
+}
+
+void NodeBlocks::add_mean_diagonals(std::size_t energy, double weight, const Eigen::MatrixXd& JtJ) {
+  const Groups& groups = groups_[energy];
+  const int d = groups.energy->dimension(), width = groups.energy->jacobian_columns();
+  Eigen::MatrixXd local(width / d, width / d);
+  for (int g = 0; g + 1 < static_cast<int>(groups.begin.size()); ++g) {
+    local.setZero();
+    for (int i = groups.begin[g]; i < groups.begin[g + 1]; ++i) {
+      const auto element = JtJ.middleCols(std::ptrdiff_t(groups.elements[i]) * width, width);
+      for (int q = 0; q < local.cols(); ++q) {
+        for (int p = 0; p < local.rows(); ++p) {
+          local(p, q) += weight / d * element.block(d * p, d * q, d, d).trace();
+        }
+      }
+    }
+    add(groups, g, local);
+  }
+}
+
+SparseMatrix NodeBlocks::lower(const std::vector<int>& rank, int n) const {
+  struct Entry {
+    int row, column;
+    double value;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(values_.size() / 2);
+  std::vector<int> below(n + 1, 0);
+  SparseMatrix result(n, n);
+  int* begin = result.outerIndexPtr();
+  for_each([&](int p, int q, double value) {
+    if (rank[p] < 0 || rank[q] < 0) return;
+    const int row = std::max(rank[p], rank[q]), column = std::min(rank[p], rank[q]);
+    entries.push_back({row, column, value});
+    ++below[row + 1];
+    ++begin[column + 1];
+  });
+  for (int c = 0; c < n; ++c) below[c + 1] += below[c], begin[c + 1] += begin[c];
+  std::vector<int> by_row(entries.size());
+  for (int i = 0; i < static_cast<int>(entries.size()); ++i) by_row[below[entries[i].row]++] = i;
+  result.resizeNonZeros(static_cast<Eigen::Index>(entries.size()));
+  std::vector<int> next(begin, begin + n);
+  for (const int i : by_row) {
+    const Entry& e = entries[i];
+    result.innerIndexPtr()[next[e.column]] = e.row;
+    result.valuePtr()[next[e.column]++] = e.value;
+  }
+  return result;
+}
+
+}  // namespace deformlab
