@@ -4,6 +4,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/config.h"
+#include "experiments/cuts.h"
 #include "experiments/edit.h"
 #include "experiments/outputs.h"
 #include "experiments/override.h"
@@ -18,11 +19,14 @@ namespace {
 /// What key=value may set.
 struct DeformOptions {
   MethodOptions method;
+  ConfigNode cut;
   PictureOptions picture;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     MethodOptions::fields(o.method, visit);
+    visit("cut", o.cut,
+          "parts that follow no common node: a list of {between: SELECTION, and: SELECTION}");
     visit("picture", o.picture, "how --picture is drawn");
   }
 };
@@ -69,10 +73,12 @@ int deform_command(const std::vector<std::string>& arguments, const DeformFlags&
   check_extension(flags.out);
   const auto options = read_options({arguments.begin() + 1, arguments.end()}, flags.nodes);
   const std::vector<EditEntry> entries = read_edit_file(flags.edit);
+  check_cuts(options.cut);
   const Shape rest = read_shape(arguments.front());
   const ResolvedEdit edit = resolve(entries, rest);
 
-  const std::unique_ptr<Deformer> deformer = make_deformer(options.method, rest);
+  const std::unique_ptr<Deformer> deformer =
+      make_deformer(options.method, rest, resolve_cuts(options.cut, rest));
   deformer->compile(edit.handles);
   const Report report = deformer->update(edit.targets);
   for (const std::string& note : report.notes) LOG(WARNING) << note;

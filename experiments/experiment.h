@@ -24,6 +24,7 @@ struct ExperimentConfig {
   DrawingSceneOptions drawing;
   MethodOptions method;
   ConfigNode paint;
+  ConfigNode cut;
   ConfigNode edit;
   DragOptions drag;
   DepthOptions depth;
@@ -41,6 +42,9 @@ struct ExperimentConfig {
     MethodOptions::fields(o.method, visit);
     visit("paint", o.paint,
           "stiff parts of a drawing: a list of {select, weight} or {mask: FILE.png, weight}");
+    visit("cut", o.cut,
+          "parts of a shape that follow no common node: a list of {between: SELECTION, and: "
+          "SELECTION}");
     visit.required("edit", o.edit, "list of selections and what happens to them");
     visit("drag", o.drag, "in how many updates the handles reach their targets");
     visit("depth", o.depth, "which of two parts of a drawing that overlap is in front");

@@ -4,14 +4,20 @@
 
 namespace deformlab {
 
-std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest) {
+std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest,
+                                        std::span<const Cut> cuts) {
+  const bool embedded = options.deformer == "embedded_deformation" || options.deformer == "auto";
+  if (!embedded && !cuts.empty()) {
+    throw InputError(cuts.front().name + ": deformer '" + options.deformer +
+                     "' has no graph to cut; leave 'cut' out");
+  }
   if (options.deformer == "rbf") return std::make_unique<RbfDeformation>(rest, options.rbf);
   if (options.deformer == "primo") return std::make_unique<PrimoDeformation>(rest, options.primo);
   if (options.deformer == "arap") return std::make_unique<CgalArap>(rest, options.arap);
   if (options.deformer == "rigid_shape") {
     throw InputError("deformer 'rigid_shape' is for drawings: give 'drawing', not 'shape'");
   }
-  return std::make_unique<EmbeddedDeformation>(rest, options.deformation);
+  return std::make_unique<EmbeddedDeformation>(rest, options.deformation, cuts);
 }
 
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const DrawingScene& scene) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "deformers/baselines/cgal_arap.h"
@@ -35,9 +36,10 @@ struct MethodOptions {
   }
 };
 
-/// The method for a shape. Throws InputError where it is one for drawings, or the method cannot
-/// take the shape.
-std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest);
+/// The method for a shape; `cuts` are for embedded deformation. Throws InputError where it is one
+/// for drawings, or the method cannot take the shape or cuts.
+std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest,
+                                        std::span<const Cut> cuts = {});
 
 /// The method for a drawing: rigid_shape, or embedded deformation in the plane. Throws InputError
 /// for one that is for shapes in space.

@@ -6,6 +6,7 @@
 #include "energies/catalog.h"
 #include "experiments/camera.h"
 #include "experiments/config.h"
+#include "experiments/cuts.h"
 #include "experiments/drawing_run.h"
 #include "experiments/shape_run.h"
 #include "experiments/suggest.h"
@@ -84,6 +85,7 @@ void check_edit(const ExperimentConfig& config) {
     read_probes(config.measure.probes, 2);
   } else {
     read_edit(config.edit);
+    check_cuts(config.cut);
     read_probes(config.measure.probes, 3);
   }
 }

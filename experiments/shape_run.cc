@@ -2,6 +2,7 @@
 
 #include <glog/logging.h>
 
+#include "experiments/cuts.h"
 #include "experiments/detail.h"
 #include "experiments/drag.h"
 #include "experiments/stripes.h"
@@ -25,7 +26,8 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
               const std::string& caption, bool first, PictureBook& pictures) {
   const Shape rest = make_shape(config.shape, folder);
   const ResolvedEdit edit = resolve(read_edit(config.edit), rest);
-  const std::unique_ptr<Deformer> deformer = make_deformer(config.method, rest);
+  const std::unique_ptr<Deformer> deformer =
+      make_deformer(config.method, rest, resolve_cuts(config.cut, rest));
   deformer->compile(edit.handles);
   const auto [report, metrics, seconds] = drag(*deformer, rest, edit, config.drag);
   const auto* embedded = dynamic_cast<const EmbeddedDeformation*>(deformer.get());

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -108,7 +110,7 @@ TEST(CornerNearEdge, IsTheFirstOfThem) {
   const Polygons polygons{box(0, 0, 9, 9), box(0.5, 3, 5, 8.75)};
   EXPECT_EQ(corner_near_edge(polygons, 0.25), std::nullopt);
   EXPECT_EQ(corner_near_edge(polygons, 0.3), (PolygonEdge{1, 2}));
-  EXPECT_EQ(corner_near_edge(polygons, 0.6), (PolygonEdge{1, 0}));
+  EXPECT_EQ(corner_near_edge(polygons, 0.52), (PolygonEdge{1, 0}));
   EXPECT_EQ(corner_near_edge({}, 1), std::nullopt);
   // The tip of a needle is near the edge across, its ends are not near the edges that they end.
   EXPECT_EQ(corner_near_edge({polygon({{0, 0}, {9, 0}, {9, 0.1}})}, 0.2), (PolygonEdge{0, 1}));
