@@ -15,7 +15,8 @@
 namespace deformlab {
 namespace {
 
-constexpr int kMostPixels = 4096;  // along a side of a panel
+constexpr int kMostPixels = 4096;          // along a side of a panel
+constexpr std::size_t kLongestLabel = 40;  // of a swept value in a caption
 
 ConfigNode with_overrides(ConfigNode root, const std::vector<Override>& overrides) {
   for (const Override& change : overrides) apply_override(root, change);
@@ -139,7 +140,8 @@ std::string label(const MeasuredRun& run) {
     const bool word = !value.empty() && std::isalpha(static_cast<unsigned char>(value.front())) &&
                       value != "true" && value != "false";
     const std::string name = word ? "" : key.substr(key.rfind('.') + 1) + " ";
-    text += (text.empty() ? "" : ", ") + name + value;
+    const bool fits = value.size() <= kLongestLabel;
+    text += (text.empty() ? "" : ", ") + name + (fits ? value : value.substr(0, 12) + " …");
   }
   return text;
 }

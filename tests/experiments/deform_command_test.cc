@@ -281,5 +281,41 @@ TEST_F(DeformCommand, ReportsWhereItStoppedShort) {
   EXPECT_THAT(ending.err, HasSubstr("max_iterations"));
 }
 
+// The plane in two halves along x, the right edge of which is lifted.
+TEST_F(Program, ACutKeepsAPartFromFollowing) {
+  put("plane.off", plane_off());
+  put("edit.yaml", kLift);
+  const std::string cut =
+      "cut=[{between: {box: {min: [-1, -1, -1], max: [0.55, 2, 1]}}, "
+      "and: {box: {min: [0.56, -1, -1], max: [2, 2, 1]}}}]";
+  expect_success(
+      {"deform", "plane.off", "--edit", "edit.yaml", "--out", "whole.off", "graph.nodes=20"});
+  expect_success(
+      {"deform", "plane.off", "--edit", "edit.yaml", "--out", "cut.off", "graph.nodes=20", cut});
+  const auto height = [&](const char* file) {
+    return read_shape(place(file)).V.col(4)[2];  // in the middle of the lower edge
+  };
+  EXPECT_GT(height("whole.off"), 0.02);
+  EXPECT_NEAR(height("cut.off"), 0, 1e-6);
+}
+
+TEST_F(Program, RefusesCutsThatCannotBe) {
+  put("plane.off", plane_off());
+  put("edit.yaml", kLift);
+  const auto refused = [&](const std::string& cut, const Words& words) {
+    expect_refused({"deform", "plane.off", "--edit", "edit.yaml", "--out", "o.off",
+                    "graph.nodes=20", "cut=" + cut},
+                   words);
+  };
+  refused("[{between: {vertices: [1, 2]}, and: {vertices: [2, 3]}}]", {"cut 1", "both"});
+  refused("[{between: {vertices: [1]}, and: {vertices: [999]}}]", {"cut 1", "999"});
+  refused("[{between: {vertices: [1]}}]", {"and"});
+  refused("[{between: {point: [0, 0, 0]}, and: {vertices: [3]}}]", {"cut 1"});
+  refused("3", {"cut", "list"});
+  expect_refused({"deform", "plane.off", "--edit", "edit.yaml", "--out", "o.off", "deformer=primo",
+                  "cut=[{between: {vertices: [1]}, and: {vertices: [3]}}]"},
+                 {"cut 1", "primo"});
+}
+
 }  // namespace
 }  // namespace deformlab::test
