@@ -1,0 +1,61 @@
+#include "deformers/depth_memory.h"
+
+#include <gtest/gtest.h>
+
+namespace deformlab::test {
+namespace {
+
+using Region = std::vector<TrianglePair>;
+
+Overlaps overlaps(const std::vector<Region>& regions) {
+  Overlaps result;
+  for (const Region& region : regions) {
+    result.regions.push_back(
+        {static_cast<int>(result.pairs.size()), static_cast<int>(region.size())});
+    result.pairs.insert(result.pairs.end(), region.begin(), region.end());
+  }
+  return result;
+}
+
+TEST(DepthMemory, KnowsNothingAtFirstAndOnceItForgot) {
+  DepthMemory memory;
+  const Overlaps one = overlaps({{{1, 2, 5}}});
+  EXPECT_EQ(memory.recall(one)[0].vote, 0);
+  EXPECT_FALSE(memory.recall(one)[0].lasting);
+  memory.keep(one, {true});
+  EXPECT_EQ(memory.recall(one)[0].vote, 5);
+  memory.forget();
+  EXPECT_EQ(memory.recall(one)[0].vote, 0);
+  EXPECT_FALSE(memory.recall(one)[0].lasting);
+  EXPECT_TRUE(memory.recall({}).empty());
+}
+
+TEST(DepthMemory, VotesByTheAreaOfPairsThatLast) {
+  DepthMemory memory;
+  memory.keep(overlaps({{{1, 2, 5}, {3, 4, 7}}}), {true, false});
+  // Other areas, one pair the other way round, one that is new.
+  const auto recalled =
+      memory.recall(overlaps({{{2, 1, 10}, {3, 4, 1}, {5, 6, 100}}, {{7, 8, 1}}}));
+  EXPECT_TRUE(recalled[0].lasting);
+  EXPECT_EQ(recalled[0].vote, -10 - 1);
+  EXPECT_FALSE(recalled[1].lasting);
+  EXPECT_EQ(recalled[1].vote, 0);
+}
+
+TEST(DepthMemory, PassesOnWhatWasInFrontInARegionThatIsGone) {
+  DepthMemory memory;
+  memory.keep(overlaps({{{1, 2, 5}}, {{3, 4, 5}}}), {true, true});
+  // 1 over 2 is gone, 3 over 4 is not: a new region of 1 goes on, one of 3 alone does not.
+  const auto recalled =
+      memory.recall(overlaps({{{3, 4, 2}}, {{1, 9, 2}}, {{9, 2, 4}}, {{3, 9, 2}}, {{99, 98, 1}}}));
+  EXPECT_EQ(recalled[0].vote, 2);
+  EXPECT_TRUE(recalled[0].lasting);
+  EXPECT_EQ(recalled[1].vote, 2);
+  EXPECT_FALSE(recalled[1].lasting);
+  EXPECT_EQ(recalled[2].vote, 4);
+  EXPECT_EQ(recalled[3].vote, 0);
+  EXPECT_EQ(recalled[4].vote, 0);
+}
+
+}  // namespace
+}  // namespace deformlab::test
