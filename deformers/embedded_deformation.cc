@@ -86,6 +86,14 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
   register_graph(build_graph(rest_, nodes, options_.graph, cuts));
 }
 
+EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
+                                         const EmbeddedDeformationOptions& options)
+    : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
+  check_energies(options_.energies);
+  check_dimension(options_.dimension, rest_);
+  register_graph(build_graph(rest_, std::move(graph), options_.graph));
+}
+
 void EmbeddedDeformation::register_graph(BuiltGraph built) {
   graph_ = std::move(built.graph);
   embedding_ = std::move(built.embedding);
@@ -104,6 +112,19 @@ void EmbeddedDeformation::register_graph(BuiltGraph built) {
 void EmbeddedDeformation::reset() {
   stage_.x.X = rest_unknowns(stage_.x.nodes());
   deformed_ = rest_;
+}
+
+void EmbeddedDeformation::repose(const Shape& rest, const Eigen::Matrix3Xd& nodes) {
+  if (rest.V.cols() != rest_.V.cols() || nodes.cols() != graph_.g.cols()) {
+    throw InputError("a pose of " + std::to_string(rest.V.cols()) + " vertices and " +
+                     std::to_string(nodes.cols()) + " nodes is none of a shape of " +
+                     std::to_string(rest_.V.cols()) + " and " + std::to_string(graph_.g.cols()));
+  }
+  check_dimension(options_.dimension, rest);
+  rest_ = rest;
+  embedding_.v = rest.V;
+  graph_.g = nodes;
+  reset();
 }
 
 // R_j = I, t_j = 0, side by side.

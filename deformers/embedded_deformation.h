@@ -47,11 +47,19 @@ class EmbeddedDeformation final : public Deformer {
   /// Takes a graph whose nodes are already placed (3×m) [length].
   EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nodes,
                       const EmbeddedDeformationOptions& options, std::span<const Cut> cuts = {});
+  /// Takes a graph that is already made, edges and all [length].
+  EmbeddedDeformation(Shape rest, DeformationGraph graph,
+                      const EmbeddedDeformationOptions& options);
 
   void compile(const Handles& handles) override;
   Report update(const Eigen::Matrix3Xd& targets) override;
   const Shape& deformed() const override { return deformed_; }
   void reset() override;
+  /// The rest shape takes another pose: the same vertices in other places, and the nodes (3×m) with
+  /// them [length]. The graph's edges, all weights and the unit stay, the transformations begin at
+  /// rest, and the handles have to be compiled again. Throws InputError for another number of
+  /// vertices or nodes.
+  void repose(const Shape& rest, const Eigen::Matrix3Xd& nodes);
 
   const DeformationGraph& graph() const { return graph_; }  ///< at rest [length]
   /// The vertex that each node sits on, or as BuiltGraph says.

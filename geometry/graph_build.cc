@@ -203,4 +203,9 @@ BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
   return Builder(shape, options, cuts).run({nodes});
 }
 
+BuiltGraph build_graph(const Shape& shape, DeformationGraph graph, const GraphOptions& options,
+                       std::span<const Cut> cuts) {
+  return Builder(shape, options, cuts).run({std::move(graph.g), {}, std::move(graph.edges)});
+}
+
 }  // namespace deformlab

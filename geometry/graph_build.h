@@ -38,4 +38,8 @@ BuiltGraph build_graph(const Shape& shape, const GraphOptions& options,
 BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
                        const GraphOptions& options, std::span<const Cut> cuts = {});
 
+/// The same with a graph that is already made, whose edges stay.
+BuiltGraph build_graph(const Shape& shape, DeformationGraph graph, const GraphOptions& options,
+                       std::span<const Cut> cuts = {});
+
 }  // namespace deformlab
