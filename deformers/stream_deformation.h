@@ -17,6 +17,7 @@ class StreamDeformation {
   const Shape& path() const { return path_; }
   void compile(const Handles& handles) { deformation_.compile(handles); }
   Report update(const Eigen::Matrix3Xd& targets) { return deformation_.update(targets); }
+  void reset() { deformation_.reset(); }
 
   /// Where particles (3×n, n ≥ 0) go that are at `places` now [length].
   Eigen::Matrix3Xd deformed(const Eigen::Matrix3Xd& places) const;

@@ -1,4 +1,5 @@
 #include "energies/catalog.h"
+#include "experiments/animation/script.h"
 #include "experiments/commands.h"
 #include "experiments/config.h"
 #include "experiments/edit.h"
@@ -17,6 +18,12 @@ std::string help_text() {
   deformlab deform DRAWING --edit EDIT.yaml --out OUT [--vertices N] [key=value]…
       deforms a drawing (.png .svg, a polygon .txt), or a flat mesh with deformer=rigid_shape;
       places are [x, y] in pixels, y down
+  deformlab animate --frames 'horse-%03d.obj' --edit EDIT.yaml --out 'edited-%03d.obj'
+                    [--nodes N] [key=value]…
+      edits a mesh animation; in EDIT.yaml `keyframes:` may stand beside or for `edit:`; a run that
+      was stopped goes on where it was
+  deformlab animate --particles CACHE.csv --edit EDIT.yaml --out OUT.csv [--nodes N] [key=value]…
+      edits particles (frame,id,x,y,z); selections speak of the nodes along the path of one of them
   deformlab list     the energies, solvers and their options
   deformlab help     this text, and every key of a config
 
@@ -24,7 +31,9 @@ Flags of the log: --minloglevel=0 tells more, --minloglevel=2 less.
 
 Keys of a config, their defaults and meanings; key=value sets one from the command line:
 )" + to_text(describe<ExperimentConfig>()) +
-         "\nEntries of `edit:`, in a config or in EDIT.yaml:\n" + to_text(describe<EditEntry>());
+         "\nEntries of `edit:`, in a config or in EDIT.yaml:\n" + to_text(describe<EditEntry>()) +
+         "\nBeside `edit:` in the EDIT.yaml of an animation:\n" +
+         to_text(describe<KeyframesOptions>());
 }
 
 std::string list_text() {

@@ -5,14 +5,19 @@
 #include <cstdio>
 #include <exception>
 
+#include "experiments/animation/animate_command.h"
 #include "experiments/commands.h"
 #include "experiments/suggest.h"
 #include "geometry/deformation_graph.h"
 #include "geometry/error.h"
 #include "geometry/triangulation.h"
 
-DEFINE_string(out, "", "run: the folder of results; deform: the file of the deformed shape");
-DEFINE_string(edit, "", "deform: the YAML file of what is selected and where it goes");
+DEFINE_string(out, "",
+              "run: the folder of results; deform, animate: the file or files of the "
+              "deformed shape");
+DEFINE_string(frames, "", "animate: the frames of a mesh animation, such as horse-%03d.obj");
+DEFINE_string(particles, "", "animate: a CSV file of particles: frame, id, x, y, z");
+DEFINE_string(edit, "", "deform, animate: the YAML file of what is selected and where it goes");
 DEFINE_string(metrics, "", "deform: a JSON file for the measurements");
 DEFINE_string(picture, "", "deform: a PNG file of the shape before and after");
 DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes, "deform: number of graph nodes");
@@ -29,12 +34,16 @@ int dispatch(const std::string& command, const std::vector<std::string>& argumen
     return deform_command(arguments, {FLAGS_edit, FLAGS_out, FLAGS_metrics, FLAGS_picture,
                                       FLAGS_nodes, FLAGS_vertices});
   }
+  if (command == "animate") {
+    return animate_command(arguments, {FLAGS_frames, FLAGS_particles, FLAGS_edit, FLAGS_out,
+                                       FLAGS_metrics, FLAGS_picture, FLAGS_nodes});
+  }
   if (command == "help" || command == "list") {
     std::fputs((command == "help" ? help_text() : list_text()).c_str(), stdout);
     return 0;
   }
   throw InputError("unknown command " + quote(command) + "; " +
-                   known_names(command, {"run", "deform", "list", "help"}));
+                   known_names(command, {"run", "deform", "animate", "list", "help"}));
 }
 
 std::string value_of(const std::string& name, const std::string& type, int argc, char** argv,
@@ -58,9 +67,9 @@ std::vector<std::string> parse_flags(int argc, char** argv) {
     const std::string name = argument.substr(begin, equals - begin);
     gflags::CommandLineFlagInfo flag;
     if (!gflags::GetCommandLineFlagInfo(name.c_str(), &flag)) {
-      throw InputError(
-          "unknown flag " + quote(argument) + "; " +
-          known_names(name, {"out", "edit", "metrics", "picture", "nodes", "vertices"}));
+      throw InputError("unknown flag " + quote(argument) + "; " +
+                       known_names(name, {"out", "edit", "frames", "particles", "metrics",
+                                          "picture", "nodes", "vertices"}));
     }
     const std::string value = equals < argument.size() ? argument.substr(equals + 1)
                                                        : value_of(name, flag.type, argc, argv, i);
@@ -92,7 +101,7 @@ int main(int argc, char** argv) {
   try {
     if (asks_for_help(argc, argv)) return dispatch("help", {});
     const std::vector<std::string> arguments = parse_flags(argc, argv);
-    if (arguments.empty()) throw InputError("no command; known: run, deform, list, help");
+    if (arguments.empty()) throw InputError("no command; known: run, deform, animate, list, help");
     return dispatch(arguments.front(), {arguments.begin() + 1, arguments.end()});
   } catch (const InputError& e) {
     std::fprintf(stderr, "deformlab: %s\n", e.what());

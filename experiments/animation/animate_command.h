@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace deformlab {
+
+/// What `deformlab animate` is told by flags.
+struct AnimateFlags {
+  std::string frames, particles, edit, out, metrics, picture;
+  int nodes = 0;  ///< graph.nodes, unless a key=value sets it
+};
+
+/// `deformlab animate --frames PATTERN --edit EDIT.yaml --out PATTERN [--nodes N] [key=value]…`, or
+/// with `--particles CACHE.csv` and an --out of one file. Frames are read and written one by one; a
+/// run that was stopped goes on where it was. Returns 1 where the solver could not take a step.
+int animate_command(const std::vector<std::string>& arguments, const AnimateFlags& flags);
+
+}  // namespace deformlab

@@ -1,0 +1,27 @@
+#include "experiments/animation/animate_options.h"
+
+#include <algorithm>
+
+#include "experiments/config.h"
+#include "experiments/override.h"
+#include "experiments/run.h"
+
+namespace deformlab {
+
+AnimateOptions read_animate_options(const std::vector<std::string>& overrides,
+                                    const AnimateFlags& flags) {
+  ConfigNode root;
+  root.kind = ConfigNode::Kind::kMap;
+  apply_override(root, {"graph.nodes", std::to_string(flags.nodes), "."});
+  const bool names_solver = std::ranges::any_of(
+      overrides, [](const std::string& text) { return text.starts_with("solver"); });
+  if (flags.frames.empty() && !names_solver) {
+    apply_override(root, {"solver.linear_solver", "separable_cg", "."});
+  }
+  for (const std::string& text : overrides) apply_override(root, parse_override(text));
+  auto options = read_config<AnimateOptions>(root);
+  complete_energies(root, options.deformation);
+  return options;
+}
+
+}  // namespace deformlab

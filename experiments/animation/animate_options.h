@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deformers/embedded_deformation.h"
+#include "experiments/animation/animate_command.h"
+
+namespace deformlab {
+
+/// What key=value may set for `animate`.
+struct AnimateOptions {
+  EmbeddedDeformationOptions deformation;
+  std::optional<int> path;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    EmbeddedDeformationOptions::fields(o.deformation, visit);
+    visit("path", o.path,
+          "id of the particle whose path the nodes are sampled on; by default of those that live "
+          "longest the one that goes farthest");
+  }
+};
+
+/// Throws InputError for what is no option. The chain of a particle's path is solved by
+/// separable_cg where no option of the solver is named.
+AnimateOptions read_animate_options(const std::vector<std::string>& overrides,
+                                    const AnimateFlags& flags);
+
+}  // namespace deformlab

@@ -1,0 +1,152 @@
+#include "experiments/animation/particle_cache.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+bool is_before(const ParticleRow& a, const ParticleRow& b) { return a.frame < b.frame; }
+
+// Which life of all that it is shown is the one to sample. Those that ended are compared and
+// forgotten, so that as many are kept as there are particles in a frame.
+class Longest {
+ public:
+  explicit Longest(std::optional<std::int64_t> id) : id_(id) {}
+
+  void add(int frame, ParticleFrame particles) {
+    for (const ParticleRow& row : particles) {
+      if (id_ && row.id != *id_) continue;
+      const auto [life, is_new] =
+          living_.try_emplace(row.id, ParticleLife{row.id, frame, frame, row.place, row.place});
+      if (!is_new && life->second.last < last_frame_) {
+        compare(life->second);
+        life->second = {row.id, frame, frame, row.place, row.place};
+      }
+      life->second.last = frame;
+      life->second.end = row.place;
+    }
+    std::erase_if(living_, [&](const auto& life) {
+      const bool ended = life.second.last < frame;
+      if (ended) compare(life.second);
+      return ended;
+    });
+    last_frame_ = frame;
+  }
+
+  std::optional<ParticleLife> result() {
+    for (const auto& [id, life] : living_) compare(life);
+    return best_;
+  }
+
+ private:
+  // The order in which a table gives its entries must not matter.
+  static auto merit(const ParticleLife& life) {
+    return std::tuple(life.last - life.first, (life.end - life.begin).norm(), -life.id);
+  }
+  void compare(const ParticleLife& life) {
+    if (!best_ || merit(life) > merit(*best_)) best_ = life;
+  }
+
+  std::optional<std::int64_t> id_;
+  std::unordered_map<std::int64_t, ParticleLife> living_;
+  std::optional<ParticleLife> best_;
+  int last_frame_ = 0;
+};
+
+}  // namespace
+
+ParticleCache::ParticleCache(std::filesystem::path path) : path_(std::move(path)) {
+  ParticleReader reader(path_);
+  bool ordered = true;
+  while (const auto row = reader.next()) {
+    if (rows_++ == 0) frames_ = {row->frame, row->frame};
+    ordered = ordered && row->frame >= frames_.last;
+    frames_ = {std::min(frames_.first, row->frame), std::max(frames_.last, row->frame)};
+  }
+  if (rows_ == 0) throw InputError("'" + path_.string() + "' has no particles, only a header");
+  if (!ordered) keep();
+  for_each_frame([&](int, ParticleFrame frame) { check_ids(frame); });
+}
+
+void ParticleCache::keep() {
+  ParticleReader reader(path_);
+  while (const auto row = reader.next()) kept_.push_back(*row);
+  std::stable_sort(kept_.begin(), kept_.end(), is_before);
+}
+
+void ParticleCache::check_ids(ParticleFrame frame) const {
+  std::unordered_map<std::int64_t, std::int64_t> lines;
+  for (const ParticleRow& row : frame) {
+    const auto [first, is_new] = lines.emplace(row.id, row.line);
+    if (is_new) continue;
+    throw InputError("particle " + std::to_string(row.id) + " is twice in frame " +
+                     std::to_string(row.frame) + ", in lines " + std::to_string(first->second) +
+                     " and " + std::to_string(row.line) + " of '" + path_.string() +
+                     "'; give one of them another id");
+  }
+}
+
+void ParticleCache::stream(const std::function<void(int, ParticleFrame)>& visit) const {
+  ParticleReader reader(path_);
+  std::vector<ParticleRow> frame;
+  while (const auto row = reader.next()) {
+    if (!frame.empty() && row->frame != frame.front().frame) {
+      visit(frame.front().frame, frame);
+      frame.clear();
+    }
+    frame.push_back(*row);
+  }
+  if (!frame.empty()) visit(frame.front().frame, frame);
+}
+
+void ParticleCache::for_each_frame(const std::function<void(int, ParticleFrame)>& visit) const {
+  if (streams()) return stream(visit);
+  for (auto begin = kept_.begin(); begin != kept_.end();) {
+    const auto end = std::upper_bound(begin, kept_.end(), *begin, is_before);
+    visit(begin->frame, {begin, end});
+    begin = end;
+  }
+}
+
+ParticleLife find_path(const ParticleCache& cache, std::optional<std::int64_t> id) {
+  Longest longest(id);
+  cache.for_each_frame([&](int frame, ParticleFrame rows) { longest.add(frame, rows); });
+  const std::optional<ParticleLife> life = longest.result();
+  if (!life) {
+    throw InputError("particle " + std::to_string(*id) + " (path) has no frame in '" +
+                     cache.path().string() + "'; name one that occurs there");
+  }
+  if (life->begin == life->end) {
+    throw InputError("particle " + std::to_string(life->id) +
+                     ", whose path the nodes would be sampled on, does not move in '" +
+                     cache.path().string() + "'; name another with path=ID");
+  }
+  return *life;
+}
+
+Eigen::Matrix3Xd sample_path(const ParticleCache& cache, const ParticleLife& life, int m) {
+  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; it is at least 1");
+  Eigen::Matrix3Xd samples(3, m);
+  const auto time = [&](int j) {
+    return m == 1 ? life.first : life.first + double(life.last - life.first) * j / (m - 1);
+  };
+  int next = 0, before = life.first;
+  Eigen::Vector3d from = life.begin;
+  cache.for_each_frame([&](int frame, ParticleFrame rows) {
+    if (frame < life.first || frame > life.last) return;
+    const auto row = std::ranges::find(rows, life.id, &ParticleRow::id);
+    for (; next < m && (time(next) <= frame || frame == life.last); ++next) {
+      const double share =
+          frame > before ? std::min((time(next) - before) / (frame - before), 1.0) : 1;
+      samples.col(next) = (1 - share) * from + share * row->place;
+    }
+    before = frame;
+    from = row->place;
+  });
+  return samples;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace deformlab {
+
+/// A row of a particle cache: where one particle is in one frame.
+struct ParticleRow {
+  int frame = 0;
+  std::int64_t id = 0;
+  Eigen::Vector3d place{0, 0, 0};  ///< [length]
+  std::int64_t number = 0;         ///< of the row, from 0
+  std::int64_t line = 0;           ///< of the file, from 1
+};
+
+/// Reads a particle cache row by row: a text with a header that names the columns frame, id, x, y
+/// and z, in any order, and others if it likes; blank lines are no rows.
+class ParticleReader {
+ public:
+  /// Throws InputError where the file cannot be read or its header lacks a column.
+  explicit ParticleReader(const std::filesystem::path& path);
+
+  /// The next row, or nothing at the end. Throws InputError (naming the line) where a row has not
+  /// as many fields as the header, or one of the five is no number that can be computed with.
+  std::optional<ParticleRow> next();
+
+  /// The text before the last row that `next` gave and after the one before it.
+  const std::string& between() const { return between_; }
+  /// That row's text with other coordinates, all the rest as it was.
+  std::string moved(const Eigen::Vector3d& place) const;
+
+ private:
+  bool read_line();
+  void read_header();
+  [[noreturn]] void reject(const std::string& why) const;
+  std::string_view field(int column) const { return fields_[columns_[column]]; }
+  double coordinate(int column) const;
+  template <class Integer>
+  Integer integer(int column) const;
+
+  std::string name_;
+  std::ifstream file_;
+  std::string line_, ending_, between_;
+  std::vector<std::string_view> fields_;  // of line_
+  std::size_t header_size_ = 0;
+  std::size_t columns_[5] = {};  // where frame, id, x, y, z are
+  std::int64_t number_ = 0, line_number_ = 0;
+};
+
+}  // namespace deformlab

@@ -1,0 +1,55 @@
+#include "experiments/animation/stream_editor.h"
+
+#include <algorithm>
+
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+void check(const Script& script, const GraphOptions& graph) {
+  if (script.pose) throw InputError("'pose' is for meshes: particles are edited along a path");
+  const GraphOptions usual;
+  if (graph.method != usual.method || graph.distance != usual.distance || !graph.file.empty()) {
+    throw InputError(
+        "graph.method, graph.distance and graph.file are for shapes: the graph of particles is "
+        "sampled on the path of one; set path and graph.nodes");
+  }
+}
+
+}  // namespace
+
+StreamEditor::StreamEditor(const ParticleCache& cache, const Script& script,
+                           const EmbeddedDeformationOptions& options,
+                           std::optional<std::int64_t> path)
+    : life_((check(script, options.graph), find_path(cache, path))),
+      stream_(sample_path(cache, life_, options.graph.nodes), options),
+      motion_(script, cache.frames(), [&](int) { return stream_.path(); }) {
+  stream_.compile(motion_.handles());
+  rest_.resize(3, motion_.handles().targets());
+  rest_ << stream_.path().V(Eigen::all, motion_.handles().moved), motion_.handles().points;
+}
+
+void StreamEditor::solve(const Eigen::Matrix3Xd& offsets) {
+  stream_.reset();
+  report_ = stream_.update(rest_ + offsets);
+  offsets_ = offsets;
+  worst_handle_ = std::max(worst_handle_, report_.handle_max);
+}
+
+Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
+  const Eigen::Matrix3Xd offsets = motion_.offsets(frame);
+  const bool first = report_.nodes == 0;
+  if (first || offsets != offsets_) solve(offsets);
+  return stream_.deformed(places_of(rows));
+}
+
+Eigen::Matrix3Xd places_of(ParticleFrame rows) {
+  Eigen::Matrix3Xd places(3, std::ssize(rows));
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    places.col(i) = rows[static_cast<std::size_t>(i)].place;
+  }
+  return places;
+}
+
+}  // namespace deformlab
