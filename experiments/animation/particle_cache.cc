@@ -89,7 +89,7 @@ void ParticleCache::check_ids(ParticleFrame frame) const {
   }
 }
 
-void ParticleCache::stream(const std::function<void(int, ParticleFrame)>& visit) const {
+void ParticleCache::stream(const Visit& visit) const {
   ParticleReader reader(path_);
   std::vector<ParticleRow> frame;
   while (const auto row = reader.next()) {
@@ -102,7 +102,7 @@ void ParticleCache::stream(const std::function<void(int, ParticleFrame)>& visit)
   if (!frame.empty()) visit(frame.front().frame, frame);
 }
 
-void ParticleCache::for_each_frame(const std::function<void(int, ParticleFrame)>& visit) const {
+void ParticleCache::for_each_frame(const Visit& visit) const {
   if (streams()) return stream(visit);
   for (auto begin = kept_.begin(); begin != kept_.end();) {
     const auto end = std::upper_bound(begin, kept_.end(), *begin, is_before);
@@ -111,23 +111,23 @@ void ParticleCache::for_each_frame(const std::function<void(int, ParticleFrame)>
   }
 }
 
-ParticleLife find_path(const ParticleCache& cache, std::optional<std::int64_t> id) {
+ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id) {
   Longest longest(id);
-  cache.for_each_frame([&](int frame, ParticleFrame rows) { longest.add(frame, rows); });
+  particles.for_each_frame([&](int frame, ParticleFrame rows) { longest.add(frame, rows); });
   const std::optional<ParticleLife> life = longest.result();
   if (!life) {
-    throw InputError("particle " + std::to_string(*id) + " (path) has no frame in '" +
-                     cache.path().string() + "'; name one that occurs there");
+    throw InputError("particle " + std::to_string(*id) + " (path) has no frame in " +
+                     particles.name() + "; name one that occurs there");
   }
   if (life->begin == life->end) {
     throw InputError("particle " + std::to_string(life->id) +
-                     ", whose path the nodes would be sampled on, does not move in '" +
-                     cache.path().string() + "'; name another with path=ID");
+                     ", whose path the nodes would be sampled on, does not move in " +
+                     particles.name() + "; name another with path=ID");
   }
   return *life;
 }
 
-Eigen::Matrix3Xd sample_path(const ParticleCache& cache, const ParticleLife& life, int m) {
+Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife& life, int m) {
   if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; it is at least 1");
   Eigen::Matrix3Xd samples(3, m);
   const auto time = [&](int j) {
@@ -135,7 +135,7 @@ Eigen::Matrix3Xd sample_path(const ParticleCache& cache, const ParticleLife& lif
   };
   int next = 0, before = life.first;
   Eigen::Vector3d from = life.begin;
-  cache.for_each_frame([&](int frame, ParticleFrame rows) {
+  particles.for_each_frame([&](int frame, ParticleFrame rows) {
     if (frame < life.first || frame > life.last) return;
     const auto row = std::ranges::find(rows, life.id, &ParticleRow::id);
     for (; next < m && (time(next) <= frame || frame == life.last); ++next) {

@@ -11,24 +11,34 @@ namespace deformlab {
 /// The particles of one frame in the order of their rows.
 using ParticleFrame = std::span<const ParticleRow>;
 
-/// A particle cache, frame by frame. Where its rows are in the order of frames they are read as
+/// Particles that come and go, frame by frame.
+class ParticleSource {
+ public:
+  using Visit = std::function<void(int frame, ParticleFrame)>;
+
+  virtual ~ParticleSource() = default;
+  /// Calls `visit` for each frame that has particles, in order of time.
+  virtual void for_each_frame(const Visit& visit) const = 0;
+  virtual FrameRange frames() const = 0;
+  virtual std::string name() const = 0;  ///< what messages call it
+};
+
+/// A particle cache in a file. Where its rows are in the order of frames they are read as
 /// they are needed, and memory does not grow with their number; otherwise all are kept.
-class ParticleCache {
+class ParticleCache : public ParticleSource {
  public:
   /// Reads the whole once. Throws InputError as ParticleReader does, without a row, and for an id
   /// that occurs twice in a frame (naming both lines).
   explicit ParticleCache(std::filesystem::path path);
 
-  /// Calls `visit` for each frame that has particles, in order of time.
-  void for_each_frame(const std::function<void(int frame, ParticleFrame)>& visit) const;
-
-  const std::filesystem::path& path() const { return path_; }
-  FrameRange frames() const { return frames_; }
+  void for_each_frame(const Visit& visit) const override;
+  std::string name() const override { return "'" + path_.string() + "'"; }
+  FrameRange frames() const override { return frames_; }
   std::int64_t rows() const { return rows_; }
   bool streams() const { return kept_.empty(); }
 
  private:
-  void stream(const std::function<void(int, ParticleFrame)>& visit) const;
+  void stream(const Visit& visit) const;
   void keep();
   void check_ids(ParticleFrame frame) const;
 
@@ -47,10 +57,10 @@ struct ParticleLife {
 
 /// Of the particles that live longest the one that goes farthest; with an `id`, the longest life of
 /// that one. Throws InputError where no such particle occurs, or it never moves.
-ParticleLife find_path(const ParticleCache& cache, std::optional<std::int64_t> id);
+ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id);
 
 /// m samples of a particle's path at equal intervals of time, 3×m [length]; between two frames it
 /// goes straight.
-Eigen::Matrix3Xd sample_path(const ParticleCache& cache, const ParticleLife& life, int m);
+Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife& life, int m);
 
 }  // namespace deformlab

@@ -19,12 +19,12 @@ void check(const Script& script, const GraphOptions& graph) {
 
 }  // namespace
 
-StreamEditor::StreamEditor(const ParticleCache& cache, const Script& script,
+StreamEditor::StreamEditor(const ParticleSource& particles, const Script& script,
                            const EmbeddedDeformationOptions& options,
                            std::optional<std::int64_t> path)
-    : life_((check(script, options.graph), find_path(cache, path))),
-      stream_(sample_path(cache, life_, options.graph.nodes), options),
-      motion_(script, cache.frames(), [&](int) { return stream_.path(); }) {
+    : life_((check(script, options.graph), find_path(particles, path))),
+      stream_(sample_path(particles, life_, options.graph.nodes), options),
+      motion_(script, particles.frames(), [&](int) { return stream_.path(); }) {
   stream_.compile(motion_.handles());
   rest_.resize(3, motion_.handles().targets());
   rest_ << stream_.path().V(Eigen::all, motion_.handles().moved), motion_.handles().points;

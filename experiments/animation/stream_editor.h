@@ -8,13 +8,13 @@
 
 namespace deformlab {
 
-/// Edits a particle cache frame by frame. Selections speak of the nodes along the sampled path, and
+/// Edits particles frame by frame. Selections speak of the nodes along the sampled path, and
 /// `point` of any place; the solver is asked again only where the offsets have changed.
 class StreamEditor {
  public:
   /// `path` is the id of the particle whose path is sampled; without one it is chosen. Throws
   /// InputError where the options or the edit do not fit.
-  StreamEditor(const ParticleCache& cache, const Script& script,
+  StreamEditor(const ParticleSource& particles, const Script& script,
                const EmbeddedDeformationOptions& options, std::optional<std::int64_t> path);
 
   /// Where the particles of a frame go, 3×#rows [length].
