@@ -21,6 +21,8 @@ class StreamDeformation {
 
   /// Where particles (3×n, n ≥ 0) go that are at `places` now [length].
   Eigen::Matrix3Xd deformed(const Eigen::Matrix3Xd& places) const;
+  /// Σ_j w_j R_j at each place, side by side, 3×3n: how space is turned there.
+  Eigen::Matrix3Xd turns(const Eigen::Matrix3Xd& places) const;
   const EmbeddedDeformation& deformation() const { return deformation_; }
 
  private:

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/animation/animation_options.h"
 #include "experiments/claims.h"
 #include "experiments/config_node.h"
 #include "experiments/depth_options.h"
@@ -22,6 +23,7 @@ struct ExperimentConfig {
   std::string paper;
   ShapeOptions shape;
   DrawingSceneOptions drawing;
+  AnimationOptions animation;
   MethodOptions method;
   ConfigNode paint;
   ConfigNode cut;
@@ -39,6 +41,7 @@ struct ExperimentConfig {
     visit("paper", o.paper, "what the paper says of it");
     visit("shape", o.shape, "what is deformed");
     visit("drawing", o.drawing, "a drawing that is deformed in the plane instead");
+    visit("animation", o.animation, "an animation that is edited instead");
     MethodOptions::fields(o.method, visit);
     visit("paint", o.paint,
           "stiff parts of a drawing: a list of {select, weight} or {mask: FILE.png, weight}");

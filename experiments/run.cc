@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "energies/catalog.h"
+#include "experiments/animation/animation_run.h"
 #include "experiments/camera.h"
 #include "experiments/config.h"
 #include "experiments/cuts.h"
@@ -79,8 +80,12 @@ void check_swept_keys(const ConfigNode& sweep) {
 
 bool is_drawing(const ExperimentConfig& config) { return !config.drawing.file.empty(); }
 
+bool is_animation(const ExperimentConfig& config) { return config.animation.generator != "none"; }
+
 void check_edit(const ExperimentConfig& config) {
-  if (is_drawing(config)) {
+  if (is_animation(config)) {
+    check(config.animation, config.edit);
+  } else if (is_drawing(config)) {
     read_plane_edit(config.edit);
     check_paint(config.paint);
     read_probes(config.measure.probes, 2);
@@ -116,12 +121,37 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
   return result;
 }
 
-// A sweep over drawings and shapes shows both, the drawings first.
-Image render(const PictureBook& shapes, const DrawingBook& drawings) {
-  if (drawings.empty()) return shapes.render();
-  if (shapes.empty()) return drawings.render();
-  return grid({drawings.render(), shapes.render()}, 1);
-}
+// The pictures of all runs, by what they are of.
+class Books {
+ public:
+  explicit Books(const PictureOptions& options)
+      : drawings_(options), shapes_(options), animations_(options) {}
+
+  Run run(const ExperimentConfig& config, const std::filesystem::path& folder,
+          const std::string& caption) {
+    if (is_drawing(config)) {
+      return run_drawing(config, folder, caption, drawings_.empty(), drawings_);
+    }
+    if (is_animation(config)) {
+      return run_animation(config, caption, animations_.empty(), animations_);
+    }
+    return run_shape(config, folder, caption, shapes_.empty(), shapes_);
+  }
+
+  // A sweep over drawings, shapes and animations shows all of them.
+  Image render() const {
+    std::vector<Image> images;
+    if (!drawings_.empty()) images.push_back(drawings_.render());
+    if (!shapes_.empty()) images.push_back(shapes_.render());
+    if (!animations_.empty()) images.push_back(animations_.render());
+    return images.size() == 1 ? images.front() : grid(images, 1);
+  }
+
+ private:
+  DrawingBook drawings_;
+  PictureBook shapes_;
+  AnimationBook animations_;
+};
 
 }  // namespace
 
@@ -156,23 +186,18 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
   Outcome outcome;
   outcome.config = config;
   outcome.resolved = to_node(outcome.config);
-  PictureBook shapes(outcome.config.picture);
-  DrawingBook drawings(outcome.config.picture);
+  Books books(outcome.config.picture);
   for (std::size_t i = 0; i < configs.size(); ++i) {
     MeasuredRun settings;
     for (const Override& o : combinations[i]) settings.settings.emplace_back(o.key, o.value);
     progress(i + 1, configs.size(), label(settings));
     const std::string caption = configs.size() > 1 ? label(settings) : "deformed";
-    const std::filesystem::path folder = path.parent_path();
-    outcome.runs.push_back(
-        is_drawing(configs[i])
-            ? run_drawing(configs[i], folder, caption, drawings.empty(), drawings)
-            : run_shape(configs[i], folder, caption, shapes.empty(), shapes));
+    outcome.runs.push_back(books.run(configs[i], path.parent_path(), caption));
     outcome.runs.back().measured.settings = settings.settings;
   }
   const std::vector<MeasuredRun> measured = with_seconds(outcome.runs);
   for (const Claim& claim : outcome.config.claims) outcome.claims.push_back(check(claim, measured));
-  outcome.picture = render(shapes, drawings);
+  outcome.picture = books.render();
   return outcome;
 }
 

@@ -58,6 +58,14 @@ class Longest {
 
 }  // namespace
 
+Eigen::Matrix3Xd places_of(ParticleFrame rows) {
+  Eigen::Matrix3Xd places(3, std::ssize(rows));
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    places.col(i) = rows[static_cast<std::size_t>(i)].place;
+  }
+  return places;
+}
+
 ParticleCache::ParticleCache(std::filesystem::path path) : path_(std::move(path)) {
   ParticleReader reader(path_);
   bool ordered = true;

@@ -11,6 +11,9 @@ namespace deformlab {
 /// The particles of one frame in the order of their rows.
 using ParticleFrame = std::span<const ParticleRow>;
 
+/// The places of a frame's particles, 3×#rows [length].
+Eigen::Matrix3Xd places_of(ParticleFrame rows);
+
 /// Particles that come and go, frame by frame.
 class ParticleSource {
  public:

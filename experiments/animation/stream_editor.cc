@@ -34,22 +34,14 @@ void StreamEditor::solve(const Eigen::Matrix3Xd& offsets) {
   stream_.reset();
   report_ = stream_.update(rest_ + offsets);
   offsets_ = offsets;
+  ++solves_;
   worst_handle_ = std::max(worst_handle_, report_.handle_max);
 }
 
 Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
   const Eigen::Matrix3Xd offsets = motion_.offsets(frame);
-  const bool first = report_.nodes == 0;
-  if (first || offsets != offsets_) solve(offsets);
+  if (solves_ == 0 || offsets != offsets_) solve(offsets);
   return stream_.deformed(places_of(rows));
-}
-
-Eigen::Matrix3Xd places_of(ParticleFrame rows) {
-  Eigen::Matrix3Xd places(3, std::ssize(rows));
-  for (Eigen::Index i = 0; i < places.cols(); ++i) {
-    places.col(i) = rows[static_cast<std::size_t>(i)].place;
-  }
-  return places;
 }
 
 }  // namespace deformlab

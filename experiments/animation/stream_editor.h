@@ -19,7 +19,9 @@ class StreamEditor {
 
   /// Where the particles of a frame go, 3×#rows [length].
   Eigen::Matrix3Xd edited(int frame, ParticleFrame rows);
-  const Report& report() const { return report_; }  ///< of the last solve
+  const Report& report() const { return report_; }               ///< of the last solve
+  int solves() const { return solves_; }                         ///< how often the solver was asked
+  Eigen::Matrix3Xd handles() const { return rest_ + offsets_; }  ///< where they should be now
   double worst_handle() const { return worst_handle_; }
   const ParticleLife& life() const { return life_; }
   int nodes() const { return static_cast<int>(stream_.path().V.cols()); }
@@ -35,9 +37,7 @@ class StreamEditor {
   Eigen::Matrix3Xd rest_, offsets_;  // of the handles
   Report report_;
   double worst_handle_ = 0;
+  int solves_ = 0;
 };
-
-/// The places of a frame's particles, 3×#rows [length].
-Eigen::Matrix3Xd places_of(ParticleFrame rows);
 
 }  // namespace deformlab

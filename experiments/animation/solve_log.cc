@@ -1,0 +1,51 @@
+#include "experiments/animation/solve_log.h"
+
+#include <algorithm>
+
+namespace deformlab {
+
+void keep_greatest(Metrics& metrics, const Metrics& more) {
+  for (const auto& [name, value] : more) {
+    double& kept = metrics.try_emplace(name, value).first->second;
+    kept = std::max(kept, value);
+  }
+}
+
+void keep_least(Metrics& metrics, const Metrics& more) {
+  for (const auto& [name, value] : more) {
+    double& kept = metrics.try_emplace(name, value).first->second;
+    kept = std::min(kept, value);
+  }
+}
+
+void SolveLog::add(const Report& report, double size) {
+  const Metrics m = metrics_of(report);
+  keep_greatest(worst_, {{"iterations", m.at("iterations")},
+                         {"handle_rms", m.at("handle_rms")},
+                         {"handle_max", m.at("handle_max")},
+                         {"handle_rms_relative", report.handle_rms / size},
+                         {"inside_out", m.at("inside_out")}});
+  keep_least(worst_, {{"converged", m.at("converged")}, {"min_det_R", m.at("min_det_R")}});
+  iterations_ += m.at("iterations");
+  ++frames_;
+  for (const auto& [phase, seconds] : seconds_of(report)) seconds_[phase] += seconds;
+  for (const std::string& note : report.notes) {
+    if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
+  }
+  last_ = report;
+}
+
+Run SolveLog::run() const {
+  Run run;
+  run.solve = last_.solve;
+  run.notes = notes_;
+  run.measured.metrics = worst_;
+  run.measured.metrics.merge(metrics_of(last_));
+  run.measured.metrics["iterations_mean"] = iterations_ / std::max(frames_, 1.0);
+  run.measured.metrics["solves"] = frames_;
+  run.seconds = seconds_;
+  run.seconds["seconds.update"] = seconds_.at("seconds.solve") / std::max(frames_, 1.0);
+  return run;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,69 @@
+#include "experiments/animation/stream_measurements.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+namespace deformlab {
+namespace {
+
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d sign(1, 1,
+                       (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1);
+  return svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
+}
+
+}  // namespace
+
+void StreamMeasurements::compare(const Particle& before, const Particle& now) {
+  const Eigen::Vector3d u = now.place - before.place, w = now.edited - before.edited;
+  u_ += u.norm();
+  w_ += w.norm();
+  uu_ += u.squaredNorm();
+  ww_ += w.squaredNorm();
+  uw_ += u.norm() * w.norm();
+  turned_off_ += (w - before.R * u).squaredNorm();
+  off_ += (w - u).squaredNorm();
+  ++pairs_;
+}
+
+void StreamMeasurements::add(const StreamDeformation& stream, ParticleFrame rows,
+                             const Eigen::Matrix3Xd& edited) {
+  std::unordered_map<std::int64_t, Particle> now;
+  double carried = 0;
+  const Eigen::Matrix3Xd turns = stream.turns(places_of(rows));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    const Particle particle{rows[i].place, edited.col(column),
+                            nearest_rotation(turns.middleCols<3>(3 * column))};
+    now[rows[i].id] = particle;
+    const auto before = last_.find(rows[i].id);
+    if (before == last_.end()) continue;
+    ++carried;
+    compare(before->second, particle);
+  }
+  if (frames_ > 0) {
+    born_ += static_cast<double>(now.size()) - carried;
+    died_ += static_cast<double>(last_.size()) - carried;
+  }
+  particles_ += static_cast<double>(now.size());
+  ++frames_;
+  last_ = std::move(now);
+}
+
+Metrics StreamMeasurements::metrics() const {
+  const double n = std::max(pairs_, 1.0), u = u_ / n, w = w_ / n;
+  const double spread = std::sqrt((uu_ / n - u * u) * (ww_ / n - w * w));
+  const double changes = std::max(frames_ - 1, 1.0);
+  return {{"particles", particles_ / std::max(frames_, 1.0)},
+          {"born", born_ / changes},
+          {"died", died_ / changes},
+          {"speed_ratio", w_ / u_},
+          {"speed_correlation", (uw_ / n - u * w) / spread},
+          {"velocity_error", std::sqrt(turned_off_ / uu_)},
+          {"velocity_change", std::sqrt(off_ / uu_)}};
+}
+
+}  // namespace deformlab

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <unordered_map>
+
+#include "deformers/stream_deformation.h"
+#include "experiments/animation/particle_cache.h"
+#include "experiments/measurements.h"
+
+namespace deformlab {
+
+/// Holds the velocities of edited particles against those of the input. With u and ũ the way of a
+/// particle from one frame to the next in both:
+///   particles, born, died     mean a frame
+///   speed_ratio               Σ |ũ| / Σ |u|
+///   speed_correlation         Pearson's, of |ũ| and |u|
+///   velocity_error            root mean square of ũ − R u over that of u, R the rotation nearest
+///                             to what the graph does to space at the particle: 0 where the
+///                             particle flows in the bent stream as it did in the straight one
+///   velocity_change           the same without R: how much the edit changed the stream's course
+class StreamMeasurements {
+ public:
+  void add(const StreamDeformation& stream, ParticleFrame rows, const Eigen::Matrix3Xd& edited);
+  Metrics metrics() const;
+
+ private:
+  struct Particle {
+    Eigen::Vector3d place, edited;
+    Eigen::Matrix3d R;
+  };
+  void compare(const Particle& before, const Particle& now);
+
+  std::unordered_map<std::int64_t, Particle> last_;
+  double particles_ = 0, born_ = 0, died_ = 0, frames_ = 0, pairs_ = 0;
+  double u_ = 0, w_ = 0, uu_ = 0, ww_ = 0, uw_ = 0, turned_off_ = 0, off_ = 0;
+};
+
+}  // namespace deformlab
