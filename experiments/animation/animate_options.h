@@ -19,7 +19,7 @@ struct AnimateOptions {
     EmbeddedDeformationOptions::fields(o.deformation, visit);
     visit("path", o.path,
           "id of the particle whose path the nodes are sampled on; by default of those that live "
-          "longest the one that goes farthest");
+          "longest the one that goes straightest");
   }
 };
 

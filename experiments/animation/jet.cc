@@ -30,7 +30,7 @@ Eigen::Vector3d place(const Nature& n, double age) {
   const double turn = n.angle + 2 * std::numbers::pi * 2.5 * age / (0.4 + n.radius);
   const double wobble = n.radius * 0.05 * std::sin(2 * std::numbers::pi * 6 * age + n.phase);
   const double r = wide * n.radius + wobble * std::sqrt(age);
-  return {x, r * std::cos(turn), r * std::sin(turn) + 0.5 * age - 1.1 * age * age};
+  return {x, r * std::cos(turn), r * std::sin(turn)};
 }
 
 }  // namespace

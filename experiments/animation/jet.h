@@ -4,10 +4,10 @@
 
 namespace deformlab {
 
-/// A jet of particles that leaves the origin along x, swirls about itself, widens and sinks a
-/// little: about 1,070 particles a frame. Ten are born in each, and each lives through 107 frames
-/// (fewer at the beginning and end of the animation, which starts with the jet already there).
-/// Particle 0 of every ten goes along the jet's middle.
+/// A jet of particles that leaves the origin along x, swirls about itself and widens: about 1,070
+/// particles a frame. Ten are born in each, and each lives through 107 frames (fewer at the begin
+/// and end of the animation, which starts with the jet already there). One of the ten goes straight
+/// along the jet's middle.
 class Jet : public ParticleSource {
  public:
   explicit Jet(int frames) : frames_(frames) {}

@@ -19,21 +19,17 @@ class Longest {
   void add(int frame, ParticleFrame particles) {
     for (const ParticleRow& row : particles) {
       if (id_ && row.id != *id_) continue;
-      const auto [life, is_new] =
-          living_.try_emplace(row.id, ParticleLife{row.id, frame, frame, row.place, row.place});
-      if (!is_new && life->second.last < last_frame_) {
-        compare(life->second);
-        life->second = {row.id, frame, frame, row.place, row.place};
-      }
-      life->second.last = frame;
-      life->second.end = row.place;
+      const ParticleLife born{row.id, frame, frame, row.place, row.place};
+      ParticleLife& now = living_.try_emplace(row.id, born).first->second;
+      now.travelled += (row.place - now.end).norm();
+      now.last = frame;
+      now.end = row.place;
     }
     std::erase_if(living_, [&](const auto& life) {
       const bool ended = life.second.last < frame;
       if (ended) compare(life.second);
       return ended;
     });
-    last_frame_ = frame;
   }
 
   std::optional<ParticleLife> result() {
@@ -44,7 +40,8 @@ class Longest {
  private:
   // The order in which a table gives its entries must not matter.
   static auto merit(const ParticleLife& life) {
-    return std::tuple(life.last - life.first, (life.end - life.begin).norm(), -life.id);
+    const double way = (life.end - life.begin).norm();
+    return std::tuple(life.last - life.first, way > 0 ? way / life.travelled : 0, -life.id);
   }
   void compare(const ParticleLife& life) {
     if (!best_ || merit(life) > merit(*best_)) best_ = life;
@@ -53,7 +50,6 @@ class Longest {
   std::optional<std::int64_t> id_;
   std::unordered_map<std::int64_t, ParticleLife> living_;
   std::optional<ParticleLife> best_;
-  int last_frame_ = 0;
 };
 
 }  // namespace

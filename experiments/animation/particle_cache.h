@@ -56,10 +56,12 @@ struct ParticleLife {
   std::int64_t id = 0;
   int first = 0, last = 0;
   Eigen::Vector3d begin{0, 0, 0}, end{0, 0, 0};  ///< [length]
+  double travelled = 0;                          ///< length of the path between [length]
 };
 
-/// Of the particles that live longest the one that goes farthest; with an `id`, the longest life of
-/// that one. Throws InputError where no such particle occurs, or it never moves.
+/// Of the particles that live longest the one that goes straightest (from its begin to its end,
+/// over the length of its path), which is in the middle of a stream that swirls; with an `id`, the
+/// longest life of that one. Throws InputError where no such particle occurs, or it never moves.
 ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id);
 
 /// m samples of a particle's path at equal intervals of time, 3×m [length]; between two frames it
