@@ -9,9 +9,9 @@ std::vector<DepthMemory::Recollection> DepthMemory::recall(const Overlaps& overl
   std::vector<bool> gone(regions_, true);
   for (std::size_t r = 0; r < result.size(); ++r) {
     for (const TrianglePair& pair : overlaps.pairs_of(overlaps.regions[r])) {
-      const auto found = index_.find(pair_key(pair.a, pair.b));
-      if (found == index_.end()) continue;
-      const Seen& seen = seen_[found->second];
+      const int found = index_.find(pair.a, pair.b);
+      if (found == PairTable::kNone) continue;
+      const Seen& seen = seen_[found];
       result[r].vote += seen.front == pair.a ? pair.area : -pair.area;
       result[r].lasting = true;
       gone[seen.region] = false;
@@ -48,7 +48,7 @@ void DepthMemory::keep(const Overlaps& overlaps, const std::vector<bool>& a_in_f
   for (std::size_t r = 0; r < regions_; ++r) {
     for (const auto& [a, b, area] : overlaps.pairs_of(overlaps.regions[r])) {
       const bool front = a_in_front[seen_.size()];
-      index_.emplace(pair_key(a, b), static_cast<int>(seen_.size()));
+      index_.enter(a, b, static_cast<int>(seen_.size()));
       seen_.push_back({front ? a : b, front ? b : a, static_cast<int>(r)});
       triangles_ = std::max({triangles_, a + 1, b + 1});
     }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/overlap.h"
+#include "geometry/pair_table.h"
 
 namespace deformlab {
 
@@ -34,7 +33,7 @@ class DepthMemory {
   std::vector<int> sides_of_gone(const std::vector<bool>& gone) const;
 
   std::vector<Seen> seen_;
-  std::unordered_map<std::uint64_t, int> index_;  ///< in seen_
+  PairTable index_;  ///< in seen_
   std::size_t regions_ = 0;
   int triangles_ = 0;  ///< all seen have lower numbers
 };

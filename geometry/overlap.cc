@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <sstream>
 #include <tuple>
-#include <unordered_map>
 
 #include "geometry/error.h"
 #include "geometry/overlap_triangles.h"
+#include "geometry/pair_table.h"
 
 namespace deformlab {
 namespace {
@@ -67,7 +67,7 @@ void check(const Eigen::Matrix2Xd& V, Eigen::Index vertices) {
 class Search {
  public:
   Search(const Eigen::Matrix3Xi& F, const Eigen::Matrix3Xi& neighbours, const Eigen::Matrix2Xd& V)
-      : F_(F), neighbours_(neighbours), V_(V), most_pairs_(32 * F.cols() + (1 << 18)) {}
+      : F_(F), neighbours_(neighbours), V_(V), most_pairs_(16 * F.cols() + (1 << 17)) {}
 
   Overlaps run() {
     for (int t = 0; t < F_.cols(); ++t) {
@@ -107,8 +107,8 @@ class Search {
   const Eigen::Matrix3Xi& neighbours_;
   const Eigen::Matrix2Xd& V_;
   const Eigen::Index most_pairs_;
-  std::vector<std::int8_t> turns_;                // 0: without area
-  std::unordered_map<std::uint64_t, int> index_;  // in pairs
+  std::vector<std::int8_t> turns_;  // 0: without area
+  PairTable index_;                 // in pairs
   Overlaps result_;
 };
 
@@ -133,7 +133,7 @@ std::vector<Search::Seed> Search::pairs_at_rims() const {
   const auto test = [&](const Box& one, const Box& other) {
     const int a = one.info(), b = other.info();
     if (a == b || (a > b && has_rim(b)) || apart_at_once(a, b)) return;
-    if (++candidates > 8 * most_pairs_) throw TooTangled();
+    if (++candidates > most_pairs_) throw TooTangled();
     if (MutualSides::of_overlapping(turned(a), turned(b))) seeds.push_back(std::minmax(a, b));
   };
   CGAL::box_intersection_d(with_rim.begin(), with_rim.end(), all.begin(), all.end(), test);
@@ -143,7 +143,7 @@ std::vector<Search::Seed> Search::pairs_at_rims() const {
 
 // The region that holds a pair, if it is not there yet.
 void Search::grow(int a, int b) {
-  if (index_.contains(pair_key(a, b))) return;
+  if (index_.find(a, b) != PairTable::kNone) return;
   const int first = static_cast<int>(result_.pairs.size());
   result_.regions.push_back({first, 0});
   reach(a, b);
@@ -188,9 +188,9 @@ void Search::go_along(int a, int b, int i, int j) {
 
 void Search::reach(int a, int b) {
   if (!has_area(a) || !has_area(b) || a == b) return;
-  const auto [at, is_new] = index_.emplace(pair_key(a, b), static_cast<int>(result_.pairs.size()));
-  if (!is_new) {
-    if (result_.pairs[at->second].a != a) result_.regions.back().twisted = true;
+  const int known = index_.enter(a, b, static_cast<int>(result_.pairs.size()));
+  if (known != PairTable::kNone) {
+    if (result_.pairs[known].a != a) result_.regions.back().twisted = true;
     return;
   }
   if (static_cast<Eigen::Index>(result_.pairs.size()) == most_pairs_) throw TooTangled();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,12 +13,6 @@ struct TrianglePair {
   int a, b;     ///< one of the region's first sheet, one of its second
   double area;  ///< that both cover [length²]
 };
-
-/// A number for two triangles, whichever of them comes first.
-constexpr std::uint64_t pair_key(int a, int b) {
-  return static_cast<std::uint64_t>(a < b ? a : b) << 32 |
-         static_cast<std::uint64_t>(a < b ? b : a);
-}
 
 /// A place where one sheet of a shape lies over another: pairs of triangles, each of which is
 /// reached from any other by going on, on either sheet, to a neighbouring triangle across a part of
@@ -57,8 +50,9 @@ struct Overlaps {
 /// number of pairs, but for a search of boxes (#F log² #F). Triangles without area cover nothing
 /// and are passed over.
 ///
-/// A shape in which triangles overlap by the hundred everywhere gives up on pairs, of which there
-/// may be #F²: beyond 32 #F + 2¹⁸ of them the result is empty and not `complete`.
+/// A shape in which triangles overlap by the dozen everywhere gives up on pairs, of which there may
+/// be #F²: beyond 16 #F + 2¹⁷ of them, or of those looked at along edges where sheets end or turn
+/// over, the result is empty and not `complete`.
 class OverlapFinder {
  public:
   /// Throws InputError where F names a vertex that does not exist.
