@@ -251,27 +251,11 @@ TEST(DepthOrder, TakesBarsThatLieOverEachOtherInACircle) {
 }
 
 TEST(DepthOrder, ReportsWhatIsTwisted) {
-  // A closed band that winds around twice: its sheets change places once around.
-  constexpr int kSteps = 60;
-  Triangulation band{Eigen::Matrix2Xd(2, 3 * kSteps), Eigen::Matrix3Xi(3, 4 * kSteps)};
-  Eigen::Matrix2Xd V = band.V;
-  for (int i = 0; i < kSteps; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      const double once = 2 * std::numbers::pi * (i + 0.1) / kSteps;
-      const double radius = 10 + k + 0.5 * std::cos(once);
-      band.V.col(3 * i + k) = (20 + k) * Eigen::Vector2d(std::cos(once), std::sin(once));
-      V.col(3 * i + k) = radius * Eigen::Vector2d(std::cos(2 * once), std::sin(2 * once));
-    }
-    for (int k = 0; k < 2; ++k) {
-      const int v = 3 * i + k, w = (3 * i + 3) % (3 * kSteps) + k;
-      band.F.col(4 * i + 2 * k) << v, v + 1, w + 1;
-      band.F.col(4 * i + 2 * k + 1) << v, w + 1, w;
-    }
-  }
-  DepthOrder depths(band, distance_from_middle(band));
+  const auto [rest, V] = twisted_band(60);
+  DepthOrder depths(rest, distance_from_middle(rest));
   depths.update(V);
   EXPECT_EQ(depths.report().twisted, 1);
-  expect_stacked(depths, band, V);
+  expect_stacked(depths, rest, V);
 }
 
 TEST(DepthOrder, StacksAnyDeformation) {

@@ -253,27 +253,11 @@ TEST(OverlapFinder, FindsAPlateThatLiesWhollyOverAnother) {
 }
 
 TEST(OverlapFinder, MarksABandWhoseSheetsChangePlaces) {
-  // A closed band that winds around twice: going on once around, the sheets change places.
-  const int n = 80;
-  Triangulation band{Eigen::Matrix2Xd(2, 3 * n), Eigen::Matrix3Xi(3, 4 * n)};
-  Eigen::Matrix2Xd V(2, 3 * n);
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      const double once = 2 * std::numbers::pi * i / n;
-      band.V.col(3 * i + k) = (20 + k) * Eigen::Vector2d(std::cos(once), std::sin(once));
-      V.col(3 * i + k) =
-          (10 + k + 0.5 * std::cos(once)) * Eigen::Vector2d(std::cos(2 * once), std::sin(2 * once));
-    }
-    for (int k = 0; k < 2; ++k) {
-      const int v = 3 * i + k, w = (3 * i + 3) % (3 * n) + k;
-      band.F.col(4 * i + 2 * k) << v, v + 1, w + 1;
-      band.F.col(4 * i + 2 * k + 1) << v, w + 1, w;
-    }
-  }
-  const Overlaps found = overlaps(band, V);
+  const auto [rest, V] = twisted_band(80);
+  const Overlaps found = overlaps(rest, V);
   ASSERT_EQ(found.regions.size(), 1u);
   EXPECT_TRUE(found.regions[0].twisted);
-  expect_equal(pairs(found), all_pairs({V, band.F}));
+  expect_equal(pairs(found), all_pairs({V, rest.F}));
 }
 
 TEST(OverlapFinder, FindsAllPairsOfAnyDeformation) {

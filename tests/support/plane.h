@@ -69,6 +69,32 @@ inline Triangulation sheet(int columns, int rows, double edge = 1) {
   return mesh;
 }
 
+/// A deformed mesh.
+struct Deformed {
+  Triangulation rest;
+  Eigen::Matrix2Xd V;
+};
+
+/// A closed band that winds around twice: once along it, its sheets have changed places.
+inline Deformed twisted_band(int steps) {
+  Deformed band{{Eigen::Matrix2Xd(2, 3 * steps), Eigen::Matrix3Xi(3, 4 * steps)},
+                Eigen::Matrix2Xd(2, 3 * steps)};
+  for (int i = 0; i < steps; ++i) {
+    const double once = 2 * std::numbers::pi * (i + 0.1) / steps;
+    const Eigen::Vector2d out(std::cos(once), std::sin(once));
+    for (int k = 0; k < 3; ++k) {
+      band.rest.V.col(3 * i + k) = (20 + k) * out;
+      band.V.col(3 * i + k) = (10 + k + 0.5 * std::cos(once)) * (rotation(once) * out);
+    }
+    for (int k = 0; k < 2; ++k) {
+      const int v = 3 * i + k, w = (3 * i + 3) % (3 * steps) + k;
+      band.rest.F.col(4 * i + 2 * k) << v, v + 1, w + 1;
+      band.rest.F.col(4 * i + 2 * k + 1) << v, w + 1, w;
+    }
+  }
+  return band;
+}
+
 /// The vertices, each moved by something in ±size.
 inline Eigen::Matrix2Xd shaken(Eigen::Matrix2Xd V, double size, unsigned seed) {
   std::mt19937 random(seed);
