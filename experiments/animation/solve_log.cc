@@ -18,6 +18,15 @@ void keep_least(Metrics& metrics, const Metrics& more) {
   }
 }
 
+namespace {
+
+// Paid once, though each report tells it again.
+bool is_registration(const std::string& phase) {
+  return phase == "seconds.sample" || phase == "seconds.embed" || phase == "seconds.connect";
+}
+
+}  // namespace
+
 void SolveLog::add(const Report& report, double size) {
   const Metrics m = metrics_of(report);
   keep_greatest(worst_, {{"iterations", m.at("iterations")},
@@ -28,7 +37,13 @@ void SolveLog::add(const Report& report, double size) {
   keep_least(worst_, {{"converged", m.at("converged")}, {"min_det_R", m.at("min_det_R")}});
   iterations_ += m.at("iterations");
   ++frames_;
-  for (const auto& [phase, seconds] : seconds_of(report)) seconds_[phase] += seconds;
+  for (const auto& [phase, seconds] : seconds_of(report)) {
+    if (is_registration(phase)) {
+      seconds_[phase] = seconds;
+    } else {
+      seconds_[phase] += seconds;
+    }
+  }
   for (const std::string& note : report.notes) {
     if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }

@@ -1,0 +1,170 @@
+#include <nlohmann/json.hpp>
+
+#include "experiments/animation/coherence.h"
+#include "experiments/animation/gallop.h"
+#include "experiments/animation/jet.h"
+#include "geometry/graph_simplification.h"
+#include "tests/support/program.h"
+#include "tests/support/shapes.h"
+
+namespace deformlab::test {
+namespace {
+
+const char* const kGallop =
+    "title: a small gallop\n"
+    "animation:\n  generator: gallop\n  frames: 4\n  cycle: 24\n  cell: 0.06\n  pictured: 2\n"
+    "  watch: {box: {min: [1.2, -1, 1.3], max: [2, 1, 2]}}\n"
+    "graph: {nodes: 60}\n"
+    "edit:\n"
+    "  - {select: {nearest: [0.5, 0, 1.4]}, by: [0, 0, 0]}\n"
+    "  - {select: {nearest: [-0.6, 0, 1.4]}, by: [0, 0, 0]}\n"
+    "  - {select: {nearest: [1.6, 0, 1.4]}, by: [0, 0.1, 0.1]}\n"
+    "picture: {direction: [0, 1, 0], width: 80, height: 60}\n";
+
+const char* const kJet =
+    "title: a short jet\n"
+    "animation: {generator: jet, frames: 20, pictured: 1}\n"
+    "graph: {nodes: 15}\n"
+    "edit:\n"
+    "  - {select: {vertices: [0, 7]}, by: [0, 0, 0]}\n"
+    "  - {select: {vertices: [14]}, by: [0, 0.1, 0]}\n"
+    "picture: {direction: [0, 1, 0], width: 80, height: 60}\n";
+
+class AnimationRun : public Program {
+ protected:
+  AnimationRun() {
+    put("gallop.yaml", kGallop);
+    put("jet.yaml", kJet);
+  }
+
+  nlohmann::json metrics(const std::string& name) const {
+    const auto all = nlohmann::json::parse(get("results/" + name + "/metrics.json"));
+    return all.at("runs").at(0).at("metrics");
+  }
+};
+
+TEST_F(AnimationRun, MeasuresMeshes) {
+  expect_success({"run", "gallop.yaml"});
+  const auto m = metrics("gallop");
+  EXPECT_EQ(m.at("solves"), 4);
+  EXPECT_EQ(m.at("handles"), 3);
+  EXPECT_EQ(m.at("nodes"), 60);
+  for (const char* name : {"displacement", "unsteadiness", "watched.edge_error", "stretch_mean"}) {
+    EXPECT_GT(m.at(name).get<double>(), 0) << name;
+  }
+  EXPECT_GT(m.at("watched.fast_motion_kept").get<double>(), 0.8);
+}
+
+TEST_F(AnimationRun, MeasuresParticles) {
+  expect_success({"run", "jet.yaml"});
+  const auto m = metrics("jet");
+  EXPECT_NEAR(m.at("particles").get<double>(), 1070, 1);
+  EXPECT_EQ(m.at("born"), 10);
+  EXPECT_EQ(m.at("died"), 10);
+  EXPECT_EQ(m.at("edges"), 14);
+  EXPECT_EQ(m.at("solves"), 1);
+  EXPECT_GT(m.at("speed_correlation").get<double>(), 0.5);
+}
+
+TEST_F(AnimationRun, TheSameBytesTwice) {
+  expect_success({"run", "gallop.yaml", "jet.yaml"});
+  const auto first = contents();
+  expect_success({"run", "gallop.yaml", "jet.yaml"});
+  EXPECT_THAT(changes_since(first), ::testing::Each(::testing::HasSubstr("times.json")));
+}
+
+TEST_F(AnimationRun, SweepsShowEachRun) {
+  expect_success({"run", "gallop.yaml", "sweep={graph.nodes: [50, 60]}"});
+  EXPECT_TRUE(exists("results/gallop/trace_002.csv"));
+}
+
+TEST_F(AnimationRun, RefusesWhatCannotBe) {
+  const std::pair<std::string, Words> bad[] = {
+      {"animation.frames=0", {"animation.frames is 0", "1 to"}},
+      {"animation.pictured=5", {"animation.pictured is 5", "1 to 4"}},
+      {"animation.cycle=0", {"animation.cycle"}},
+      {"animation.cell=1", {"animation.cell", "0.01 to 0.06"}},
+      {"animation.generator=trot", {"'trot'", "gallop, jet"}},
+      {"animation.watch={}", {"animation.watch", "exactly one of"}},
+      {"animation.watch={point: [0, 0, 0]}", {"animation.watch", "take 'nearest'"}},
+      {"animation.pose=9", {"'pose'", "0 to 3"}},
+      {"animation.keyframes=[{frame: 9, edit: [{select: {all: true}, fix: true}]}]",
+       {"names frame 9"}},
+      {"deformer=rbf", {"'rbf'", "takes no animation"}},
+      {"edit=[{select: {point: [0, 0, 0]}, by: [0, 0, 1]}]", {"does not follow"}}};
+  for (const auto& [change, words] : bad) {
+    SCOPED_TRACE(change);
+    expect_refused({"run", "gallop.yaml", change}, words);
+  }
+  expect_refused({"run", "jet.yaml", "animation.path=-5"}, {"particle -5", "the jet"});
+  expect_refused({"run", "jet.yaml", "animation.pose=0"}, {"'pose' is for meshes"});
+}
+
+TEST(Gallop, IsAClosedMeshOfAnySize) {
+  for (const double cell : {0.06, 0.05, 0.04}) {
+    const Shape shape = Gallop(cell).pose(0.3);
+    EXPECT_EQ(simplify(shape, 100, 5).vertices.size(), 100u) << cell;  // throws where it is not
+  }
+}
+
+TEST(Gallop, ComesBackAfterACycle) {
+  const Gallop gallop(0.06);
+  EXPECT_LT((gallop.pose(0.2).V - gallop.pose(1.2).V).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_GT((gallop.pose(0.2).V - gallop.pose(0.7).V).cwiseAbs().maxCoeff(), 0.2);
+}
+
+TEST(FindPath, TakesTheParticleThatGoesStraightest) {
+  const Jet jet(120);
+  const ParticleLife life = find_path(jet, {});
+  EXPECT_EQ(life.last - life.first, 106);
+  EXPECT_EQ(life.id % 10, 0);
+  const Eigen::Matrix3Xd samples = sample_path(jet, life, 54);
+  EXPECT_EQ(samples.col(0), life.begin);
+  EXPECT_EQ(samples.col(53), life.end);
+  const ParticleLife swirling = find_path(jet, life.id + 1);
+  EXPECT_GT(swirling.travelled, life.travelled);
+}
+
+// n points that go to and fro, at a time.
+Eigen::Matrix3Xd waving(int n, double time) {
+  Eigen::Matrix3Xd V = random_points(n, {1, 1, 1}, 5);
+  V.row(0).array() += std::sin(time);
+  return V;
+}
+
+TEST(Coherence, OfAnOffsetThatStaysIsPerfect) {
+  Coherence c;
+  for (int t = 0; t < 9; ++t) {
+    const Eigen::Matrix3Xd V = waving(10, t);
+    c.add(V, V.colwise() + Eigen::Vector3d(0, 0.3, 0.4));
+  }
+  const Metrics m = c.metrics();
+  EXPECT_NEAR(m.at("displacement"), 0.5, 1e-12);
+  EXPECT_NEAR(m.at("displacement_change_max"), 0, 1e-12);
+  EXPECT_NEAR(m.at("unsteadiness_max"), 0, 1e-12);
+  EXPECT_NEAR(m.at("motion_kept"), 1, 1e-12);
+  EXPECT_NEAR(m.at("fast_motion_correlation"), 1, 1e-12);
+}
+
+TEST(Coherence, SeesTheFrameThatJumps) {
+  Coherence all, some({0, 1});
+  for (int t = 0; t < 20; ++t) {
+    const Eigen::Matrix3Xd V = waving(10, 0.3 * t);
+    Eigen::Matrix3Xd W = V;
+    if (t == 10) W.rightCols(8).array() += 0.5;
+    all.add(V, W);
+    some.add(V, W);
+  }
+  EXPECT_GT(all.metrics().at("unsteadiness_max"), 5);
+  EXPECT_NEAR(some.metrics("a.").at("a.unsteadiness_max"), 0, 1e-12);
+}
+
+TEST(TurnBetween, IsTheAngleOfTheRotation) {
+  const Eigen::Matrix3Xd V = random_points(20, {1, 2, 3}, 7);
+  const Eigen::AngleAxisd turn(0.5, Eigen::Vector3d(1, 2, 2) / 3);
+  const Eigen::Matrix3Xd W = (turn.matrix() * V).colwise() + Eigen::Vector3d(4, 5, 6);
+  EXPECT_NEAR(turn_between(V, W), 0.5 * 180 / std::numbers::pi, 1e-9);
+}
+
+}  // namespace
+}  // namespace deformlab::test
