@@ -183,7 +183,7 @@ const Refusal kOptions[] = {
 
 const Refusal kOutputs[] = {
     {"UnknownCommand", {"defrom"}, {"unknown command 'defrom'", "did you mean 'deform'?"}},
-    {"NoCommand", {"--nodes=3"}, {"no command", "run, deform, list, help"}},
+    {"NoCommand", {"--nodes=3"}, {"no command", "run, deform, animate, list, help"}},
     {"NothingToDeform", {"deform"}, {"--edit EDIT.yaml --out OUT"}},
     {"NothingToRun", {"run"}, {"run which config?"}},
     bad_option("FolderMissing", "--out=nope/o.off", {"'nope/o.off'", "no folder 'nope'"}),
