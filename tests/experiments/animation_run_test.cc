@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "experiments/animation/coherence.h"
