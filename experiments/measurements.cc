@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/deformation_graph.h"
+
 namespace deformlab {
 namespace {
 
@@ -80,6 +82,14 @@ Metrics distortion(const Shape& rest, const Shape& deformed) {
           {"stretch_mean", stretch.mean()},
           {"stretch_max", stretch.max},
           {"edge_error_mean", edge.mean()}};
+}
+
+int count_components(const Shape& shape) {
+  DeformationGraph vertices{shape.V, {}};
+  for (const auto& face : shape.faces) {
+    for (std::size_t c = 1; c < face.size(); ++c) vertices.edges.push_back({face[0], face[c], 1});
+  }
+  return std::ranges::max(components(vertices)) + 1;
 }
 
 Metrics node_shear(const Transformations& X) {

@@ -28,6 +28,9 @@ Metrics seconds_of(const Report& report);
 /// without triangles.
 Metrics distortion(const Shape& rest, const Shape& deformed);
 
+/// How many parts a shape has that no face joins; a vertex without a face is one.
+int count_components(const Shape& shape);
+
 /// node_shear_max and node_shear_mean: ‖R_j − Q_j‖_F to the nearest orthogonal matrix Q_j.
 Metrics node_shear(const Transformations& X);
 

@@ -40,6 +40,7 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
   run.measured.metrics.insert(metrics.begin(), metrics.end());
   const double size = bounding_box_diagonal(rest.V);
   run.measured.metrics["vertices"] = static_cast<double>(rest.V.cols());
+  run.measured.metrics["components"] = count_components(rest);
   run.measured.metrics["handles"] = static_cast<double>(edit.handles.targets());
   run.measured.metrics["handle_rms_relative"] = size > 0 ? report.handle_rms / size : 0;
   run.measured.metrics.merge(distortion(rest, deformer->deformed()));
