@@ -105,7 +105,7 @@ DrawingScene make_drawing(const DrawingSceneOptions& options, const fs::path& fo
   DrawingScene scene;
   scene.path = find_drawing(options.file, folder);
   scene.drawing = read_drawing(scene.path, options.reading);
-  const std::string name = "'" + scene.path.string() + "'";
+  const std::string name = scene.path.string();
   scene.rest = scene.drawing.mesh ? *scene.drawing.mesh
                                   : triangulate(scene.drawing.region, options.mesh, name);
   scene.weights.setOnes(scene.rest.F.cols());

@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::array<double, 4> kFill{0.87, 0.84, 0.805, 1}, kLine{0.30, 0.45, 0.68, 1};
 constexpr double kLineWidth = 0.002, kMargin = 0.02;  // as parts of the page's diagonal
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
 void note_the_rest(const Silhouette& found, std::vector<std::string>& notes) {
   if (found.left_out > 0) {
@@ -43,7 +42,7 @@ Drawing read_bitmap(const fs::path& path, const DrawingOptions& options) {
   Drawing drawing;
   if (!has_transparency(bitmap))
     drawing.notes.push_back(remove_background(bitmap, options.background, path));
-  const Silhouette found = trace(alpha_of(bitmap), options.trace, quoted(path));
+  const Silhouette found = trace(alpha_of(bitmap), options.trace, path.string());
   note_the_rest(found, drawing.notes);
   drawing.region = found.region;
   if (found.left_out > 0) keep_only(drawing.region, options.trace.threshold, bitmap);
@@ -106,7 +105,7 @@ void trace_paths(const fs::path& path, const DrawingOptions& options, Drawing& d
   TraceOptions in_pixels = options.trace;
   in_pixels.least_hole *= resolution * resolution;
   const Bitmap painted = rasterized(drawing.paths, drawing.page, resolution);
-  const Silhouette found = trace(alpha_of(painted), in_pixels, quoted(path));
+  const Silhouette found = trace(alpha_of(painted), in_pixels, path.string());
   note_the_rest(found, drawing.notes);
   if (found.left_out > 0) keep_paths(RegionMask(found.region, painted), resolution, drawing);
   drawing.region = found.region;
@@ -160,7 +159,7 @@ Drawing read_polygon(const fs::path& path, const DrawingOptions& options) {
   const Eigen::Matrix2Xd corners =
       Eigen::Matrix2Xd::Map(coordinates.data(), 2, std::ssize(coordinates) / 2);
   Drawing drawing;
-  drawing.region = checked({corners, {}}, quoted(path));
+  drawing.region = checked({corners, {}}, path.string());
   drawing.page = page_around(corners);
   drawing.paths = {
       outlined(cut(polygon(drawing.region.outline), options.piece * drawing.page.diagonal().norm()),
@@ -170,7 +169,7 @@ Drawing read_polygon(const fs::path& path, const DrawingOptions& options) {
 
 Drawing read_mesh(const fs::path& path) {
   Drawing drawing;
-  drawing.mesh = flat(read_shape(path), quoted(path));
+  drawing.mesh = flat(read_shape(path), path.string());
   drawing.page = page_around(drawing.mesh->V);
   for (Eigen::Index f = 0; f < drawing.mesh->F.cols(); ++f)
     drawing.paths.push_back(
