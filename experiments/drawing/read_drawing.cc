@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::array<double, 4> kFill{0.87, 0.84, 0.805, 1}, kLine{0.30, 0.45, 0.68, 1};
 constexpr double kLineWidth = 0.002, kMargin = 0.02;  // as parts of the page's diagonal
 
-
 void note_the_rest(const Silhouette& found, std::vector<std::string>& notes) {
   if (found.left_out > 0) {
     char share[16];
