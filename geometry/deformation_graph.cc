@@ -1,6 +1,7 @@
 #include "geometry/deformation_graph.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -15,20 +16,57 @@ struct Overlap {
   bool operator<(const Overlap& o) const { return std::pair(j, k) < std::pair(o.j, o.k); }
 };
 
-// Every pair of nodes that share a vertex, once for each such vertex.
+// Sums the overlap of each pair of nodes: a table of hashes with open addressing, so that the time
+// does not grow with how many points a pair shares.
+class Overlaps {
+ public:
+  void add(int j, int k, double amount) {
+    if (2 * pairs_.size() >= table_.size()) grow();
+    int& at = slot(j, k);
+    if (at < 0) {
+      at = static_cast<int>(pairs_.size());
+      pairs_.push_back({j, k, 0});
+    }
+    pairs_[at].amount += amount;
+  }
+  std::vector<Overlap> sorted() && {
+    std::sort(pairs_.begin(), pairs_.end());
+    return std::move(pairs_);
+  }
+
+ private:
+  int& slot(int j, int k) {
+    const std::size_t mask = table_.size() - 1;
+    std::uint64_t h = (std::uint64_t(std::uint32_t(j)) << 32 | std::uint32_t(k));
+    h *= 0x9e3779b97f4a7c15;
+    std::size_t at = (h ^ (h >> 32)) & mask;
+    while (table_[at] >= 0 && (pairs_[table_[at]].j != j || pairs_[table_[at]].k != k)) {
+      at = (at + 1) & mask;
+    }
+    return table_[at];
+  }
+  void grow() {
+    table_.assign(std::max<std::size_t>(1024, 2 * table_.size()), -1);
+    for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) slot(pairs_[i].j, pairs_[i].k) = i;
+  }
+
+  std::vector<int> table_;  // indices of pairs
+  std::vector<Overlap> pairs_;
+};
+
+// Every pair of nodes that share a vertex.
 std::vector<Overlap> overlaps(const Embedding& e, std::span<const int> followed) {
-  std::vector<Overlap> pairs;
+  Overlaps pairs;
   for (Eigen::Index i = 0; i < e.nodes.cols(); ++i) {
     const Eigen::Index k = followed.empty() ? e.nodes.rows() : followed[i];
     for (Eigen::Index a = 0; a < k; ++a) {
       for (Eigen::Index b = a + 1; b < k; ++b) {
-        const auto [lo, hi] = std::minmax({e.nodes(a, i), e.nodes(b, i)});
-        pairs.push_back({lo, hi, e.weights(a, i) * e.weights(b, i)});
+        const int one = e.nodes(a, i), other = e.nodes(b, i);
+        pairs.add(std::min(one, other), std::max(one, other), e.weights(a, i) * e.weights(b, i));
       }
     }
   }
-  std::stable_sort(pairs.begin(), pairs.end());  // stable: the sums below keep their order
-  return pairs;
+  return std::move(pairs).sorted();
 }
 
 void normalize(std::vector<GraphEdge>& edges) {
@@ -50,12 +88,8 @@ DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
     throw InputError("unknown graph.alpha '" + alpha + "'; known: uniform, overlap");
   }
   DeformationGraph graph{g, {}};
-  for (const Overlap& o : overlaps(embedding, followed)) {
-    if (graph.edges.empty() || graph.edges.back().j != o.j || graph.edges.back().k != o.k) {
-      graph.edges.push_back({o.j, o.k, 0});
-    }
-    graph.edges.back().alpha += o.amount;
-  }
+  for (const Overlap& o : overlaps(embedding, followed))
+    graph.edges.push_back({o.j, o.k, o.amount});
   if (alpha == "uniform") {
     for (GraphEdge& edge : graph.edges) edge.alpha = 1;
   } else {

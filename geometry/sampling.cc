@@ -4,18 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nanoflann.hpp>
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/error.h"
 
 namespace deformlab {
 namespace {
-
-using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
 
 constexpr int kDensity = 30;  // dense points for each node that was asked for
 constexpr int kFewestDense = 10000;
@@ -55,33 +53,75 @@ Eigen::Matrix3Xd points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi&
 class Elimination {
  public:
   Elimination(const Eigen::Matrix3Xd& points, std::uint64_t seed)
-      : points_(points), tree_(3, points_), order_(points.cols()) {
+      : points_(points), order_(points.cols()), next_(points.cols()) {
     std::iota(order_.begin(), order_.end(), Eigen::Index{0});
     std::mt19937_64 random(seed);
     std::shuffle(order_.begin(), order_.end(), random);
+    std::size_t size = 1024;
+    while (size < static_cast<std::size_t>(points.cols())) size *= 2;
+    first_.resize(size);
+    low_ = points.rowwise().minCoeff();
+    extent_ = (points.rowwise().maxCoeff() - low_).maxCoeff();
   }
 
-  std::vector<Eigen::Index> remaining(double r) const {
-    std::vector<char> removed(order_.size(), 0);
+  // Chosen points are kept by cells of side r, so that only those around have to be looked at.
+  std::vector<Eigen::Index> remaining(double r) {
+    // Squared distances, compared strictly: the least positive number still removes copies.
+    const double reach = std::max(r * r, std::numeric_limits<double>::min());
+    const double side = std::max({r, kLeastCell * extent_, std::numeric_limits<double>::min()});
+    std::fill(first_.begin(), first_.end(), Eigen::Index{-1});
     std::vector<Eigen::Index> kept;
-    std::vector<std::pair<Eigen::Index, double>> near;
-    nanoflann::SearchParams unsorted;
-    unsorted.sorted = false;
     for (const Eigen::Index i : order_) {
-      if (removed[i]) continue;
+      const Cell cell = ((points_.col(i) - low_) / side).array().floor().cast<std::int64_t>();
+      if (any_near(i, cell, reach)) continue;
+      const std::size_t at = slot(cell);
+      next_[i] = std::exchange(first_[at], i);
       kept.push_back(i);
-      // Squared distances, compared strictly: the least positive number still removes copies.
-      const double reach = std::max(r * r, std::numeric_limits<double>::min());
-      tree_.index->radiusSearch(points_.col(i).data(), reach, near, unsorted);
-      for (const auto& [other, distance] : near) removed[other] = 1;
     }
     return kept;
   }
 
  private:
+  using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
+  static constexpr double kLeastCell = 1e-15;  // of the extent: what cells can be counted with
+
+  // Cells that share a slot only add points that are too far.
+  std::size_t slot(const Cell& cell) const {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) {
+      h = (h ^ static_cast<std::uint64_t>(cell[i])) * 0x9e3779b97f4a7c15;
+      h ^= h >> 29;
+    }
+    return h & (first_.size() - 1);
+  }
+
+  bool any_near(Eigen::Index i, const Cell& cell, double reach) const {
+    for (const Cell& step : around()) {
+      for (Eigen::Index k = first_[slot(cell + step)]; k >= 0; k = next_[k]) {
+        if ((points_.col(k) - points_.col(i)).squaredNorm() < reach) return true;
+      }
+    }
+    return false;
+  }
+
+  // The cell itself first, then the others, those that share a face with it before the corners.
+  static const std::vector<Cell>& around() {
+    static const std::vector<Cell> steps = [] {
+      std::vector<Cell> result;
+      for (int i = 0; i < 27; ++i) result.emplace_back(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      std::stable_sort(result.begin(), result.end(), [](const Cell& a, const Cell& b) {
+        return a.squaredNorm() < b.squaredNorm();
+      });
+      return result;
+    }();
+    return steps;
+  }
+
   const Eigen::Matrix3Xd& points_;
-  Tree tree_;
   std::vector<Eigen::Index> order_;
+  std::vector<Eigen::Index> first_, next_;  // chosen points of each slot, one after another
+  Eigen::Vector3d low_;
+  double extent_ = 0;
 };
 
 Eigen::Matrix3Xd pick(const Eigen::Matrix3Xd& points, const std::vector<Eigen::Index>& indices) {
@@ -110,7 +150,7 @@ void thin_out(Eigen::Matrix3Xd& g, int m) {
 // guess is taken while it stays within the bracket, which is halved otherwise.
 Eigen::Matrix3Xd eliminate_to(const Eigen::Matrix3Xd& dense, int m, double guess,
                               std::uint64_t seed) {
-  const Elimination elimination(dense, seed);
+  Elimination elimination(dense, seed);
   std::vector<Eigen::Index> best = elimination.remaining(0);
   if (static_cast<int>(best.size()) < m) {
     throw InputError("graph.nodes is " + std::to_string(m) + ", but the shape has only " +

@@ -3,6 +3,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "geometry/chunks.h"
+#include "geometry/clones.h"
+#include "geometry/four.h"
+
 namespace deformlab {
 namespace {
 
@@ -25,6 +29,26 @@ Eigen::Matrix3Xd inverse_transposes(const Transformations& X) {
   return result;
 }
 
+// Σ_j w_j (M_j (v, 1)) for the vertices from begin to end, four coordinates at once, the fourth
+// being zero; every node's M_j is 4×4.
+DEFORMLAB_CLONES
+void blend_points(const double* M, const int* nodes, const double* weights, std::ptrdiff_t k,
+                  const double* v, std::ptrdiff_t begin, std::ptrdiff_t end, double* result) {
+  nodes += k * begin, weights += k * begin, v += 3 * begin, result += 3 * begin;
+  for (std::ptrdiff_t i = begin; i < end; ++i, nodes += k, weights += k, v += 3, result += 3) {
+    Four sum = {};
+    for (std::ptrdiff_t a = 0; a < k; ++a) {
+      const double* m = M + 16 * std::ptrdiff_t(nodes[a]);
+      Four there = four(m + 12);
+      there += v[0] * four(m);
+      there += v[1] * four(m + 4);
+      there += v[2] * four(m + 8);
+      sum += weights[a] * there;
+    }
+    result[0] = sum[0], result[1] = sum[1], result[2] = sum[2];
+  }
+}
+
 }  // namespace
 
 Transformations rest_transformations(Eigen::Index m) {
@@ -33,39 +57,53 @@ Transformations rest_transformations(Eigen::Index m) {
 
 Eigen::Matrix3Xd transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g,
                                     const Embedding& e) {
-  // R_j (v − g_j) + g_j + t_j = R_j v + s_j: one offset a node instead of a subtraction a vertex.
-  const Eigen::Index m = g.cols();
-  Eigen::Matrix3Xd s(3, m);
-  for (Eigen::Index j = 0; j < m; ++j) {
-    s.col(j) = g.col(j) + X.col(4 * j + 3) - X.middleCols<3>(4 * j) * g.col(j);
-  }
-  const Eigen::Index k = e.nodes.rows();
-  Eigen::Matrix3Xd result(3, e.v.cols());
-  for (Eigen::Index i = 0; i < e.v.cols(); ++i) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (Eigen::Index a = 0; a < k; ++a) {
-      const int j = e.nodes(a, i);
-      sum += e.weights(a, i) * (X.middleCols<3>(4 * j) * e.v.col(i) + s.col(j));
-    }
-    result.col(i) = sum;
-  }
+  Eigen::Matrix3Xd result;
+  transfer_positions(X, g, e, result);
   return result;
+}
+
+void transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g, const Embedding& e,
+                        Eigen::Matrix3Xd& result, int threads) {
+  // R_j (v − g_j) + g_j + t_j = R_j v + s_j: one offset a node instead of a subtraction a vertex.
+  Eigen::Matrix4Xd M = Eigen::Matrix4Xd::Zero(4, 4 * g.cols());
+  for (Eigen::Index j = 0; j < g.cols(); ++j) {
+    M.block<3, 3>(0, 4 * j) = X.middleCols<3>(4 * j);
+    M.block<3, 1>(0, 4 * j + 3) = g.col(j) + X.col(4 * j + 3) - X.middleCols<3>(4 * j) * g.col(j);
+  }
+  result.resize(3, e.v.cols());
+  for_chunks(e.v.cols(), threads, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    blend_points(M.data(), e.nodes.data(), e.weights.data(), e.nodes.rows(), e.v.data(), begin, end,
+                 result.data());
+  });
 }
 
 Eigen::Matrix3Xd transfer_normals(const Transformations& X, const Eigen::Matrix3Xd& N,
                                   const Embedding& e) {
-  const Eigen::Matrix3Xd C = inverse_transposes(X);
-  Eigen::Matrix3Xd result(3, N.cols());
-  for (Eigen::Index i = 0; i < N.cols(); ++i) {
-    Eigen::Matrix3d blend = Eigen::Matrix3d::Zero();
-    for (Eigen::Index a = 0; a < e.nodes.rows(); ++a) {
-      blend += e.weights(a, i) * C.middleCols<3>(3 * e.nodes(a, i));
-    }
-    const Eigen::Vector3d n = blend * N.col(i);
-    const double length = n.norm();
-    result.col(i) = length > 0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d(N.col(i));
-  }
+  Eigen::Matrix3Xd result;
+  transfer_normals(X, N, e, result);
   return result;
+}
+
+void transfer_normals(const Transformations& X, const Eigen::Matrix3Xd& N, const Embedding& e,
+                      Eigen::Matrix3Xd& result, int threads) {
+  const Eigen::Matrix3Xd C = inverse_transposes(X);
+  Eigen::Matrix4Xd M = Eigen::Matrix4Xd::Zero(4, 4 * (X.cols() / 4));
+  for (Eigen::Index j = 0; j < X.cols() / 4; ++j) {
+    M.block<3, 3>(0, 4 * j) = C.middleCols<3>(3 * j);
+  }
+  result.resize(3, N.cols());
+  for_chunks(N.cols(), threads, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    blend_points(M.data(), e.nodes.data(), e.weights.data(), e.nodes.rows(), N.data(), begin, end,
+                 result.data());
+    for (std::ptrdiff_t i = begin; i < end; ++i) {
+      const double length = result.col(i).norm();
+      if (length > 0) {
+        result.col(i) /= length;
+      } else {
+        result.col(i) = N.col(i);
+      }
+    }
+  });
 }
 
 }  // namespace deformlab

@@ -18,10 +18,17 @@ Transformations rest_transformations(Eigen::Index m);
 Eigen::Matrix3Xd transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g,
                                     const Embedding& embedding);
 
+/// The same into an array that is there already (made 3×n where it is not), on so many threads; the
+/// result does not depend on their number.
+void transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g,
+                        const Embedding& embedding, Eigen::Matrix3Xd& result, int threads = 1);
+
 /// Eq. 3: ñ_i = Σ_j w_j(v_i) R_j^{-T} n_i, renormalised. With det(R) R^{-T} = cof(R), a node whose
 /// R cannot be inverted still says something: its cofactor matrix.
 ///   N  3×n unit normals. Returns 3×n unit normals; a normal that vanishes stays as it was.
 Eigen::Matrix3Xd transfer_normals(const Transformations& X, const Eigen::Matrix3Xd& N,
                                   const Embedding& embedding);
+void transfer_normals(const Transformations& X, const Eigen::Matrix3Xd& N,
+                      const Embedding& embedding, Eigen::Matrix3Xd& result, int threads = 1);
 
 }  // namespace deformlab
