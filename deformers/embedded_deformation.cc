@@ -10,6 +10,7 @@
 
 #include "deformers/handle_checks.h"
 #include "deformers/hold.h"
+#include "deformers/reflections.h"
 #include "energies/catalog.h"
 #include "geometry/error.h"
 #include "solvers/stopwatch.h"
@@ -17,6 +18,7 @@
 namespace deformlab {
 namespace {
 
+constexpr int kMostRepairs = 3;
 constexpr double kMostUnits = 1e9;  // of length_unit in a mean edge, and of mean edges in it
 
 double length_unit(const std::string& text, const DeformationGraph& graph) {
@@ -67,6 +69,11 @@ void check_dimension(int d, const Shape& rest) {
   }
 }
 
+void check_reflections(const std::string& name) {
+  if (name == "report" || name == "repair") return;
+  throw InputError("unknown reflections '" + name + "'; known: report, repair");
+}
+
 }  // namespace
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
@@ -74,6 +81,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOp
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
   check_energies(options_.energies);
   check_dimension(options_.dimension, rest_);
+  check_reflections(options_.reflections);
   register_graph(build_graph(rest_, options_.graph, cuts));
 }
 
@@ -83,6 +91,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
   check_energies(options_.energies);
   check_dimension(options_.dimension, rest_);
+  check_reflections(options_.reflections);
   register_graph(build_graph(rest_, nodes, options_.graph, cuts));
 }
 
@@ -207,6 +216,30 @@ void EmbeddedDeformation::carry_along(const Eigen::Matrix3Xd& targets) {
   }
 }
 
+// Keeps what comes out where fewer nodes are inside out than before.
+void EmbeddedDeformation::repair_reflections(Report& report) {
+  if (options_.dimension != 3) return;
+  const auto count = [&] {
+    Report counted;
+    measure_determinants(transformations(), counted);
+    return counted.inside_out;
+  };
+  for (int before = count(), round = 0; before > 0 && round < kMostRepairs; ++round) {
+    const Eigen::MatrixXd X = stage_.x.X;
+    if (!turn_back(scaled(graph_, 1 / unit_), handles_, stage_.fixed, stage_.x)) return;
+    Summary solve = solver_->solve(stage_);
+    const int after = count();
+    if (after >= before) {
+      stage_.x.X = X;
+      return;
+    }
+    report.notes.push_back("nodes that were inside out and were turned back: " +
+                           std::to_string(before - after));
+    report.solve = std::move(solve);
+    before = after;
+  }
+}
+
 void EmbeddedDeformation::measure_determinants(const Transformations& X, Report& report) const {
   report.min_det_R = std::numeric_limits<double>::infinity();
   for (Eigen::Index j = 0; j < graph_.g.cols(); ++j) {
@@ -223,12 +256,15 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   for (const auto& term : stage_.terms) term.energy->aim(aims);
   carry_along(targets);
   report.solve = solver_->solve(stage_);
+  if (options_.reflections == "repair") repair_reflections(report);
   const Transformations X = transformations();
   {
     Stopwatch watch(report.seconds["transfer"]);
-    deformed_.V = transfer_positions(X, graph_.g, embedding_);
+    transfer_positions(X, graph_.g, embedding_, deformed_.V, options_.solver.threads);
     for (const int i : fixed_) deformed_.V.col(i) = rest_.V.col(i);  // free of rounding
-    if (rest_.N.cols() > 0) deformed_.N = transfer_normals(X, rest_.N, embedding_);
+    if (rest_.N.cols() > 0) {
+      transfer_normals(X, rest_.N, embedding_, deformed_.N, options_.solver.threads);
+    }
   }
   report.nodes = static_cast<int>(graph_.g.cols());
   report.edges = static_cast<int>(graph_.edges.size());
@@ -237,14 +273,15 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   measure_handles(transfer_positions(X, graph_.g, handles_), targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = report.solve.seconds["total"];
-  report.notes = registration_notes_;
+  report.notes.insert(report.notes.begin(), registration_notes_.begin(), registration_notes_.end());
   for (const auto* notes : {&compilation_notes_, &report.solve.notes}) {
     report.notes.insert(report.notes.end(), notes->begin(), notes->end());
   }
   if (report.inside_out > 0) {
     report.notes.push_back(
         "nodes where space is turned inside out (det R < 0), which E_rot cannot see: " +
-        std::to_string(report.inside_out) + "; move the handles less, or in smaller steps");
+        std::to_string(report.inside_out) +
+        "; move the handles less, or in smaller steps, or set reflections: repair");
   }
   return report;
 }

@@ -25,6 +25,10 @@ struct EmbeddedDeformationOptions {
   /// 2: the shape lies in the plane, of z nothing is asked, and a node has six unknowns instead of
   /// twelve, the same terms being summed (Sumner et al. 2007, section 7, names images).
   int dimension = 3;
+  /// E_rot cannot tell a reflection from a rotation, and an edit in one shot can turn nodes inside
+  /// out (det R < 0). report: that is counted and said. repair: they are turned back along their
+  /// neighbours' normal and solved on.
+  std::string reflections = "report";
   SolverOptions solver;
 
   template <class Self, class Visit>
@@ -33,6 +37,8 @@ struct EmbeddedDeformationOptions {
     visit("energies", o.energies, "weight of each energy term; one not named has its default");
     visit("length_unit", o.length_unit, "mean_edge, or a number in the shape's own unit");
     visit("dimension", o.dimension, "3, or 2 for a shape in the plane, such as a drawing");
+    visit.choice("reflections", o.reflections, {"report", "repair"},
+                 "nodes where space is turned inside out: say so, or turn them back and solve on");
     visit("solver", o.solver, "how the energy is minimised");
   }
 };
@@ -75,6 +81,7 @@ class EmbeddedDeformation final : public Deformer {
   Eigen::MatrixXd rest_unknowns(int m) const;
   void fix_nodes(const Handles& handles);
   void carry_along(const Eigen::Matrix3Xd& targets);
+  void repair_reflections(Report& report);
   void measure_determinants(const Transformations& X, Report& report) const;
 
   EmbeddedDeformationOptions options_;

@@ -42,6 +42,8 @@ struct Constraint {
   /// All handles; until they are aimed they stay where they are.
   static Terms<Constraint> over(const DeformationGraph& graph, const Embedding& handles) {
     Terms<Constraint> sum{.arity = static_cast<int>(handles.nodes.rows())};
+    sum.elements.reserve(handles.v.cols());
+    sum.nodes.reserve(handles.nodes.size());
     for (int l = 0; l < handles.v.cols(); ++l) {
       const auto nodes = handles.nodes.col(l);
       const Point v = handles.v.col(l).template head<d>();

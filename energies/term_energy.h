@@ -30,9 +30,8 @@ class TermEnergy final : public Energy {
                                             : std::accumulate(Sig<double>::kColumns.begin(),
                                                               Sig<double>::kColumns.end(), 0));
   static constexpr int kWidth = Sig<double>::kAnyNumber ? Eigen::Dynamic : kMostWidth;
-  using Jacobian =
-      Eigen::Matrix<double, kRows, kWidth, kRows == 1 ? Eigen::RowMajor : Eigen::ColMajor, kRows,
-                    kMostWidth>;
+  using Jacobian = Eigen::Matrix<double, kRows, kWidth,
+                                 kRows == 1 ? Eigen::RowMajor : Eigen::ColMajor, kRows, kMostWidth>;
   using Jet = ceres::Jet<double, kDimension * kMaxColumns>;
   static_assert(kRows > 0,
                 "a term returns a residual of fixed size, such as Vector<T, 3>, not auto");

@@ -6,7 +6,9 @@
 
 namespace deformlab {
 
-std::string blas_name() {
+namespace {
+
+std::string find_name() {
   void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
   Dl_info info{};
   if (dgemm == nullptr || dladdr(dgemm, &info) == 0) return "unknown";
@@ -18,6 +20,13 @@ std::string blas_name() {
   if (config != nullptr && name.find("openblas") != std::string::npos) {
     name += std::string(" (") + config() + ")";
   }
+  return name;
+}
+
+}  // namespace
+
+std::string blas_name() {
+  static const std::string name = find_name();  // asked for by every solve
   return name;
 }
 

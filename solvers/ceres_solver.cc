@@ -183,7 +183,7 @@ ceres::Solver::Options ceres_options(const SolverOptions& options) {
   o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;  // Eq. 12 decides
   o.update_state_every_iteration = true;
   o.logging_type = ceres::SILENT;
-  o.num_threads = 1;
+  o.num_threads = options.threads;
   std::string error;
   if (!o.IsValid(&error)) throw InputError("ceres does not take these options: " + error);
   return o;
@@ -257,7 +257,8 @@ Summary CeresSolver::solve(Stage& stage) {
   options.callbacks.push_back(&recorder);
   ceres::Solver::Summary result;
   {
-    const OneThread one_thread;  // CHOLMOD below Ceres does not know of its num_threads
+    const OneThread one_thread(
+        options_.threads);  // CHOLMOD below Ceres does not know of its num_threads
     ceres::Solve(options, problem_.get(), &result);
   }
   conclude(result, summary);

@@ -38,7 +38,7 @@ std::vector<int> expand(const Eigen::VectorXi& order, int group) {
 
 }  // namespace
 
-CholmodSolver::CholmodSolver() {
+CholmodSolver::CholmodSolver(int threads) : threads_(threads) {
   cholmod_start(&common_);
   common_.print = 0;
   common_.supernodal = CHOLMOD_SUPERNODAL;
@@ -93,7 +93,7 @@ void CholmodSolver::analyze(const SparseMatrix& lower) {
 
 bool CholmodSolver::factorize(const SparseMatrix& lower) {
   cholmod_sparse A = cholmod_view(lower);
-  const OneThread one_thread;
+  const OneThread one_thread(threads_);
   cholmod_factorize(&A, L_, &common_);
   if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   return common_.status == CHOLMOD_OK && cholmod_rcond(L_, &common_) > kSingularRatio;

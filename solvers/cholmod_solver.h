@@ -11,7 +11,7 @@ namespace deformlab {
 /// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders.
 class CholmodSolver final : public LinearSolver {
  public:
-  CholmodSolver();
+  explicit CholmodSolver(int threads = 1);
   ~CholmodSolver() override;
   CholmodSolver(const CholmodSolver&) = delete;
   CholmodSolver& operator=(const CholmodSolver&) = delete;
@@ -26,6 +26,7 @@ class CholmodSolver final : public LinearSolver {
   void free_factor();
   Eigen::VectorXi analyzed(cholmod_factor* factor);
 
+  int threads_;
   cholmod_common common_;
   cholmod_factor* L_ = nullptr;
   // Results and workspace of cholmod_solve2, which reuses them from solve to solve.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/clones.h"
-#include "solvers/four.h"
+#include "geometry/clones.h"
+#include "geometry/four.h"
 #include "solvers/linear_solver.h"
 
 namespace deformlab {

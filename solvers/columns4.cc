@@ -1,7 +1,7 @@
 #include "solvers/columns4.h"
 
-#include "solvers/clones.h"
-#include "solvers/four.h"
+#include "geometry/clones.h"
+#include "geometry/four.h"
 
 namespace deformlab {
 namespace {
@@ -25,6 +25,11 @@ void axpy4(double s, const double* x, double* y, std::ptrdiff_t n) {
 }
 
 DEFORMLAB_CLONES
+void xpay4(const double* x, double s, double* y, std::ptrdiff_t n) {
+  for (std::ptrdiff_t i = 0; i < 4 * n; ++i) y[i] = x[i] + s * y[i];
+}
+
+DEFORMLAB_CLONES
 void product4(const int* begin, const int* row, const double* value, std::ptrdiff_t n,
               const double* x, double* y) {
   for (std::ptrdiff_t c = 0; c < n; ++c) {
@@ -45,6 +50,10 @@ double dot(const Columns4& x, const Columns4& y) { return dot4(x.data(), y.data(
 
 void add_scaled(double s, const Columns4& x, Columns4& y) {
   axpy4(s, x.data(), y.data(), x.cols());
+}
+
+void add_to_scaled(const Columns4& x, double s, Columns4& y) {
+  xpay4(x.data(), s, y.data(), x.cols());
 }
 
 void add_product(const SparseMatrix& lower, const Columns4& x, Columns4& y) {

@@ -1,8 +1,11 @@
 #include "solvers/gauss_newton.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "solvers/blas.h"
@@ -13,9 +16,11 @@ namespace {
 
 constexpr double kSufficientDecrease = 1e-4;  // of F, as a share of what the slope promises
 constexpr double kSmallestStep = 1e-6;
+constexpr double kShort = 0.25, kLong = 0.75, kShortDamping = 1e-3;
 constexpr double kPoor = 0.25;  // share of what a step promised: less, and it is bent
 constexpr double kMostConjugate = 5, kDescent = 0.1;
-constexpr int kMostLengths = 4;  // that are tried of one direction
+constexpr double kMostCondition = 1e5;  // that conjugate gradients are tried on
+constexpr int kMostLengths = 4;         // that are tried of one direction
 constexpr double kSameLength = 0.1;
 constexpr double kFirstDamping = 1e-4, kLeastDamping = 1e-16, kMostDamping = 1e16;
 constexpr double kRegularization = 1e-10;  // relative, of a singular JᵀJ
@@ -23,26 +28,74 @@ constexpr double kRounding = 1e-13;        // of 1 + F, as in Eq. 12: less is no
 
 }  // namespace
 
-GaussNewton::GaussNewton(const SolverOptions& options)
-    : options_(options),
-      steps_(
-          make_step_solver(options.linear_solver == "auto" ? "cholmod" : options.linear_solver)) {}
+GaussNewton::GaussNewton(const SolverOptions& options) : options_(options) {
+  if (options.linear_solver != "auto") make_step_solver(options.linear_solver);  // or throws
+}
 
 void GaussNewton::compile(const Stage& stage) {
+  check(stage);
+  choice_ = {options_.linear_solver, ""};
+  if (options_.linear_solver != "auto") return use(choice_.name, stage);
+  choice_ = choose_step_solver(stage);
+  use(choice_.name, stage);
+  steps_->probe();
+  const double condition = steps_->condition();
+  std::ostringstream measured;
+  measured << "the preconditioned matrix has a condition of about " << condition;
+  if (condition > kMostCondition) {
+    choice_ = {"cholmod", measured.str()};
+    use(choice_.name, stage);
+  } else if (condition > 0) {
+    choice_.reason += ", and " + measured.str();
+  }
+  VLOG(1) << "linear_solver auto: " << choice_.name << ", since " << choice_.reason;
+}
+
+void GaussNewton::use(const std::string& linear_solver, const Stage& stage) {
+  steps_ = make_step_solver(linear_solver, options_.threads);
   steps_->compile(stage);
   trial_ = stage.x;
-  delta_.resize(steps_->linearization().unknowns());
-  D_.resize(delta_.size());
-  for (Eigen::VectorXd* x :
-       {&newton_, &gradient_, &last_newton_, &last_gradient_, &last_delta_, &q_, &c_}) {
-    x->setZero(delta_.size());
+  for (Eigen::VectorXd* x : {&delta_, &D_, &newton_, &gradient_, &last_newton_, &last_gradient_,
+                             &last_delta_, &q_, &c_}) {
+    x->setZero(steps_->linearization().unknowns());
   }
+}
+
+// From conjugate gradients that do not converge to a factorization, where `auto` chose them.
+void GaussNewton::fall_back(const Stage& stage) {
+  std::ostringstream why;
+  why << "conjugate gradients did not converge (condition about " << steps_->condition() << ")";
+  choice_ = {"cholmod", why.str()};
+  summary_.notes.push_back("linear_solver auto: " + why.str() + "; JᵀJ is factored instead");
+  VLOG(1) << summary_.notes.back();
+  const LinearWork work = steps_->work;
+  use("cholmod", stage);
+  steps_->work = work;
+  steps_->work.unfinished = 0;
+  steps_->linearization().evaluate(stage.x);
+  steps_->linearization().linearize(stage.x);
+  conjugate_ = false;
+}
+
+// D of a damping by λ D.
+void GaussNewton::measure_diagonal() {
+  steps_->diagonal(D_);
+  D_ = D_.cwiseMax(1e-6).cwiseMin(1e32);
+}
+
+bool GaussNewton::direction(const Stage& stage, double damping) {
+  if (damping > 0) measure_diagonal();
+  const bool regular = steps_->direction(damping, D_, delta_);
+  const bool given_up = choice_.name == "separable_cg" && (!regular || steps_->work.unfinished > 0);
+  if (options_.linear_solver != "auto" || !given_up) return regular;
+  fall_back(stage);
+  return direction(stage, damping);
 }
 
 // δ of Eq. 11. Where JᵀJ is singular (a motion that no term sees) the least damping that makes it
 // regular picks the shortest of all solutions.
-bool GaussNewton::newton_direction() {
-  bool regular = steps_->direction(0, D_, delta_);
+bool GaussNewton::newton_direction(const Stage& stage, double given) {
+  bool regular = direction(stage, given);
   if (!regular) {
     steps_->diagonal(D_);
     const double largest = D_.maxCoeff();
@@ -65,13 +118,13 @@ double GaussNewton::try_step(const Stage& stage, double scale) {
 }
 
 GaussNewton::Outcome GaussNewton::full_step(Stage& stage, Iteration& iteration) {
-  if (!newton_direction()) return Outcome::kSingular;
+  if (!newton_direction(stage)) return Outcome::kSingular;
   iteration.cost = try_step(stage, 1);
   return std::isfinite(iteration.cost) ? Outcome::kAccepted : Outcome::kNotFinite;
 }
 
 GaussNewton::Outcome GaussNewton::line_search(Stage& stage, Iteration& iteration) {
-  if (!newton_direction()) return Outcome::kSingular;
+  if (!newton_direction(stage)) return Outcome::kSingular;
   const double slope = 2 * steps_->linearization().Jtr().dot(delta_);
   for (double scale = 1; scale >= kSmallestStep; scale /= 2) {
     iteration.cost = try_step(stage, scale);
@@ -82,8 +135,8 @@ GaussNewton::Outcome GaussNewton::line_search(Stage& stage, Iteration& iteration
   return Outcome::kUphill;
 }
 
-// Gauss–Newton's direction, made conjugate to the last one (Polak and Ribière's formula, with JᵀJ as
-// the preconditioner): where its steps alone close a gap at a constant rate, these do it faster.
+// Gauss–Newton's direction, made conjugate to the last one (Polak and Ribière's formula, with JᵀJ
+// as the preconditioner): where its steps alone close a gap at a constant rate, these do it faster.
 void GaussNewton::conjugate() {
   newton_ = delta_;
   gradient_ = steps_->linearization().Jtr();
@@ -101,8 +154,8 @@ void GaussNewton::conjugate() {
   conjugate_ = true;
 }
 
-// Finds a good length along δ: the least of a parabola through F, its slope and F at a first length,
-// which F there then corrects.
+// Finds a good length along δ: the least of a parabola through F, its slope and F at a first
+// length, which F there then corrects.
 void GaussNewton::find_length(const Stage& stage, double slope, Iteration& iteration) {
   double scale = 1;
   iteration.cost = std::numeric_limits<double>::infinity();
@@ -140,21 +193,29 @@ bool GaussNewton::bend(const Stage& stage, Iteration& iteration) {
   return false;
 }
 
+// Directions of which little could be taken are damped next time.
+void GaussNewton::adapt_damping(double length) {
+  if (length < kShort) damping_ = std::max(kShortDamping, 4 * damping_);
+  if (length > kLong) damping_ = damping_ > kShortDamping / 8 ? damping_ / 4 : 0;
+}
+
 GaussNewton::Outcome GaussNewton::accelerated(Stage& stage, Iteration& iteration) {
-  if (!newton_direction()) return Outcome::kSingular;
+  iteration.damping = damping_;
+  if (!newton_direction(stage, damping_)) return Outcome::kSingular;
   conjugate();
   steps_->linearization().set_direction(delta_);
   const double slope = 2 * steps_->linearization().Jtr().dot(delta_);
   find_length(stage, slope, iteration);
   const double promised = -slope / 2;
   const bool poor = !(cost_ - iteration.cost > kPoor * promised);
+  adapt_damping(iteration.step_scale);
   if (bends_ && poor && promised > kRounding * (1 + cost_) && bend(stage, iteration)) {
     conjugate_ = false;
     return Outcome::kAccepted;
   }
   last_delta_ = delta_;
-  while (iteration.cost > cost_ + kSufficientDecrease * iteration.step_scale * slope +
-                              kRounding * (1 + cost_)) {
+  while (iteration.cost >
+         cost_ + kSufficientDecrease * iteration.step_scale * slope + kRounding * (1 + cost_)) {
     iteration.step_scale /= 2;
     if (iteration.step_scale < kSmallestStep) return Outcome::kUphill;
     iteration.cost = try_step(stage, iteration.step_scale);
@@ -165,13 +226,11 @@ GaussNewton::Outcome GaussNewton::accelerated(Stage& stage, Iteration& iteration
 
 // Nielsen's rule: λ follows the ratio of what F fell to what the linear model promised.
 GaussNewton::Outcome GaussNewton::levenberg(Stage& stage, Iteration& iteration) {
-  steps_->diagonal(D_);
-  D_ = D_.cwiseMax(1e-6).cwiseMin(1e32);
   while (damping_ < kMostDamping) {
     iteration.damping = damping_;
     double promised = 0;
     iteration.cost = std::numeric_limits<double>::infinity();
-    if (steps_->direction(damping_, D_, delta_)) {
+    if (direction(stage, damping_)) {
       steps_->linearization().set_direction(delta_);
       iteration.cost = try_step(stage, 1);
       promised = damping_ * delta_.dot(D_.cwiseProduct(delta_)) -
@@ -205,7 +264,7 @@ void GaussNewton::start(Stage& stage) {
     summary_.seconds[phase] = 0;  // exists before it is timed: no allocation in an iteration
   }
   summary_.iterations.reserve(std::min(options_.max_iterations, 1000));
-  damping_ = kFirstDamping;
+  damping_ = options_.globalization == "accelerated" ? 0 : kFirstDamping;
   damping_growth_ = 2;
   conjugate_ = false;
   bends_ = true;
@@ -218,6 +277,7 @@ Summary GaussNewton::finish(const Stage& stage, Status status, std::string messa
   summary_.status = status;
   summary_.message = std::move(message);
   summary_.final_cost = steps_->linearization().evaluate(stage.x);
+  if (!summary_.iterations.empty()) summary_.iterations.back().cost = summary_.final_cost;
   const std::vector<double> costs = steps_->linearization().cost_by_term();
   for (std::size_t i = 0; i < costs.size(); ++i) {
     summary_.cost_by_term[std::string(stage.terms[i].energy->name())] = costs[i];
@@ -226,15 +286,18 @@ Summary GaussNewton::finish(const Stage& stage, Status status, std::string messa
   if (summary_.unknowns > 0) {
     summary_.nonzeros_JtJ = steps_->nonzeros_JtJ();
     summary_.nonzeros_factor = steps_->nonzeros_factor();
+    summary_.condition = steps_->condition();
   }
   summary_.factorizations = steps_->work.factorizations;
   summary_.cg_iterations = steps_->work.cg_iterations;
   summary_.seconds["factorize"] = steps_->work.factorize_seconds;
   summary_.seconds["solve"] = steps_->work.solve_seconds;
   summary_.method = "gauss_newton";
-  summary_.linear_solver = options_.linear_solver == "auto" ? "cholmod" : options_.linear_solver;
+  summary_.linear_solver = choice_.name;
+  summary_.choice = choice_.reason;
   summary_.globalization = options_.globalization;
   summary_.blas = blas_name();
+  summary_.threads = choice_.name == "cholmod" ? options_.threads : 1;
   return summary_;
 }
 

@@ -27,16 +27,22 @@ class GaussNewton final : public Solver {
   Outcome accelerated(Stage& stage, Iteration& iteration);
   void conjugate();
   void find_length(const Stage& stage, double slope, Iteration& iteration);
+  void adapt_damping(double length);
   bool bend(const Stage& stage, Iteration& iteration);
   Outcome levenberg(Stage& stage, Iteration& iteration);
-  bool newton_direction();
+  bool newton_direction(const Stage& stage, double given = 0);
   double try_step(const Stage& stage, double scale);
+  bool direction(const Stage& stage, double damping);
+  void measure_diagonal();
+  void fall_back(const Stage& stage);
+  void use(const std::string& linear_solver, const Stage& stage);
   void start(Stage& stage);
   std::pair<Status, std::string> iterate(Stage& stage);
   Summary finish(const Stage& stage, Status status, std::string message);
 
   SolverOptions options_;
   std::unique_ptr<StepSolver> steps_;
+  Choice choice_;
   Eigen::VectorXd delta_, D_;
   // Of `accelerated`: the direction by Gauss–Newton and the gradient it came from, then the last.
   Eigen::VectorXd newton_, gradient_, last_newton_, last_gradient_, last_delta_, q_, c_;

@@ -35,8 +35,8 @@ class EigenLdlt final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name) {
-  if (name == "cholmod") return std::make_unique<CholmodSolver>();
+std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name, int threads) {
+  if (name == "cholmod") return std::make_unique<CholmodSolver>(threads);
   if (name == "eigen_ldlt") return std::make_unique<EigenLdlt>();
   throw InputError(
       "solver.linear_solver '" + name +

@@ -31,7 +31,7 @@ class LinearSolver {
 /// Below this ratio of the factor's smallest to its largest pivot a matrix counts as singular.
 inline constexpr double kSingularRatio = 1e-14;
 
-/// name: "cholmod" or "eigen_ldlt". Throws InputError for another.
-std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name);
+/// name: "cholmod" or "eigen_ldlt". Throws InputError for another. CHOLMOD may use more threads.
+std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name, int threads = 1);
 
 }  // namespace deformlab

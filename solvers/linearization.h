@@ -63,11 +63,11 @@ class Linearization {
   struct Part {
     const Energy* energy = nullptr;
     double weight = 1;
-    Eigen::MatrixXd r{};  ///< rows × elements
-    Eigen::MatrixXd J{};  ///< separable: coefficients a, one column an element; else Jacobians
+    Eigen::MatrixXd r{};    ///< rows × elements
+    Eigen::MatrixXd J{};    ///< separable: coefficients a, one column an element; else Jacobians
     Eigen::MatrixXd JtJ{};  ///< of all elements, side by side, in place of J: of a term of one node
     Eigen::MatrixXd Jtr{};  ///< of every element, unless separable
-    Eigen::MatrixXd bent{}; ///< the same of `bend`, of nonlinear terms
+    Eigen::MatrixXd bent{};     ///< the same of `bend`, of nonlinear terms
     std::vector<int> column{};  ///< columns of X that an element reads, arguments in turn
     bool separable() const { return energy->structure() == Structure::kSeparable; }
     bool square() const { return !separable() && energy->arity() == 1; }
@@ -103,7 +103,7 @@ class Linearization {
   SparseMatrix A_;
   Columns4 G_;  // Jᵀr of the separable terms, free columns in the order of their ranks
   Columns4 delta_, Adelta_;
-  std::vector<double> local_;  // an element's share of a direction
+  std::vector<double> local_;                         // an element's share of a direction
   double separable_ = 0, slope_ = 0, curvature_ = 0;  // their share of F, and how it changes
   double scale_ = 0, share_ = 0, others_ = 0;         // of the last evaluate_step
   double exact_ = 0;                                  // F where it was evaluated by residuals

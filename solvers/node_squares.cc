@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "solvers/clones.h"
-#include "solvers/four.h"
+#include "geometry/clones.h"
+#include "geometry/four.h"
 
 namespace deformlab {
 namespace {

@@ -23,7 +23,9 @@ int get_levels() {
 
 }  // namespace
 
-OneThread::OneThread() : levels_(get_levels()) { set_levels(0); }
+OneThread::OneThread(int threads) : levels_(get_levels()) {
+  if (threads <= 1) set_levels(0);
+}
 
 OneThread::~OneThread() { set_levels(levels_); }
 

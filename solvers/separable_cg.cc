@@ -1,6 +1,9 @@
 #include "solvers/separable_cg.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <utility>
 
 #include "solvers/stopwatch.h"
@@ -9,7 +12,8 @@ namespace deformlab {
 namespace {
 
 constexpr double kForcing = 0.1;  // η: the share of ‖r‖_{M⁻¹} that an inexact step leaves
-constexpr int kMostIterations = 500;  // of one step
+constexpr int kMostIterations = 200;  // of one step
+constexpr int kProbes = 8;            // iterations that show the condition
 constexpr double kRidge = 1e-10;      // relative, where Ã is singular
 
 }  // namespace
@@ -89,13 +93,23 @@ bool SeparableCg::solve(const Eigen::VectorXd& gradient, double damping, Eigen::
   Stopwatch watch(work.solve_seconds);
   linearization_->gather(gradient, r_);
   r_ = -r_;
+  if (!iterate(damping, kForcing, kMostIterations)) return false;
+  linearization_->scatter(delta_, delta);
+  return delta.allFinite();
+}
+
+// Conjugate gradients on H δ = r. False where H turns out not to be positive definite.
+bool SeparableCg::iterate(double damping, double forcing, int most) {
   delta_.setZero();
   z_ = r_;
   L_.solve(z_);
   p_ = z_;
   double rho = dot(r_, z_);
-  const double enough = kForcing * kForcing * rho;
-  for (int i = 0; i < kMostIterations && rho > enough; ++i) {
+  const double enough = forcing * forcing * rho;
+  measured_ = 0;
+  double share = 0;  // β / α of the last iteration
+  int i = 0;
+  for (; i < most && rho > enough; ++i) {
     multiply(damping);
     const double curvature = dot(p_, Hp_);
     if (!(curvature > 0)) return false;
@@ -104,12 +118,40 @@ bool SeparableCg::solve(const Eigen::VectorXd& gradient, double damping, Eigen::
     add_scaled(-alpha, Hp_, r_);
     z_ = r_;
     L_.solve(z_);
-    const double before = std::exchange(rho, dot(r_, z_));
-    p_ = z_ + (rho / before) * p_;
-    ++work.cg_iterations;
+    const double before = std::exchange(rho, dot(r_, z_)), beta = rho / before;
+    add_to_scaled(z_, beta, p_);
+    if (measured_ < kMostMeasured) {
+      diagonal_[measured_] = 1 / alpha + share;
+      beside_[measured_++] = std::sqrt(beta) / alpha;
+      share = beta / alpha;
+    }
   }
-  linearization_->scatter(delta_, delta);
-  return delta.allFinite();
+  work.cg_iterations += i;
+  work.unfinished += rho > enough;
+  return true;
+}
+
+// From a right-hand side that favours no motion.
+void SeparableCg::probe() {
+  if (linearization_->unknowns() == 0) return;
+  squares_.sum(*linearization_);
+  std::mt19937_64 random(1);
+  for (Eigen::Index i = 0; i < r_.size(); ++i) {
+    const bool used = i % 4 < linearization_->dimension();
+    r_.data()[i] = used ? static_cast<double>(random() >> 11) / (1ULL << 53) - 0.5 : 0;
+  }
+  iterate(0, 0, kProbes);
+  work = {};
+}
+
+// By Lanczos' relation: the coefficients of conjugate gradients are a tridiagonal matrix in
+// disguise.
+double SeparableCg::condition() const {
+  if (measured_ == 0) return 0;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
+  eigen.computeFromTridiagonal(diagonal_.head(measured_), beside_.head(measured_ - 1),
+                               Eigen::EigenvaluesOnly);
+  return eigen.eigenvalues().maxCoeff() / eigen.eigenvalues().minCoeff();
 }
 
 void SeparableCg::diagonal(Eigen::VectorXd& D) const {

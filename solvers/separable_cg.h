@@ -24,10 +24,15 @@ class SeparableCg final : public StepSolver {
   void diagonal(Eigen::VectorXd& D) const override;
   long nonzeros_JtJ() const override { return linearization_->A().nonZeros(); }
   long nonzeros_factor() const override { return L_.nonzeros(); }
+  double condition() const override;
+  void probe() override;
 
  private:
+  static constexpr int kMostMeasured = 32;  // iterations
+
   void factorize();
   bool solve(const Eigen::VectorXd& gradient, double damping, Eigen::VectorXd& delta);
+  bool iterate(double damping, double forcing, int most);
   void multiply(double damping);
   void multiply_part(const Linearization::Part& part);
 
@@ -35,6 +40,10 @@ class SeparableCg final : public StepSolver {
   NodeSquares squares_;  // the terms that read one node each
   ColumnCholesky L_;     // of Ã
   Columns4 r_, z_, p_, Hp_, delta_, D_;
+  // Of the last solve's first iterations: the diagonal and what is beside it of the tridiagonal
+  // matrix that has about the eigenvalues of the preconditioned one.
+  Eigen::VectorXd diagonal_{kMostMeasured}, beside_{kMostMeasured};
+  Eigen::Index measured_ = 0;
   std::vector<double> local_;  // an element's share of a block
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxResiduals, 1> local_t_{
       kMaxResiduals};

@@ -9,6 +9,8 @@
 namespace deformlab {
 namespace {
 
+constexpr int kMostThreads = 1024;
+
 void check(const SolverOptions& o) {
   if (!(o.epsilon > 0 && o.epsilon < 1)) {
     throw InputError("solver.epsilon is " + std::to_string(o.epsilon) +
@@ -18,10 +20,14 @@ void check(const SolverOptions& o) {
     throw InputError("solver.max_iterations is " + std::to_string(o.max_iterations) +
                      "; at least 1 is needed");
   }
-  if (o.globalization != "none" && o.globalization != "accelerated" && o.globalization != "line_search" &&
-      o.globalization != "levenberg") {
+  if (o.threads < 1 || o.threads > kMostThreads) {
+    throw InputError("solver.threads is " + std::to_string(o.threads) + "; it lies between 1 and " +
+                     std::to_string(kMostThreads));
+  }
+  if (o.globalization != "none" && o.globalization != "accelerated" &&
+      o.globalization != "line_search" && o.globalization != "levenberg") {
     throw InputError("unknown solver.globalization '" + o.globalization +
-                     "'; known: none, line_search, levenberg");
+                     "'; known: none, line_search, levenberg, accelerated");
   }
 }
 

@@ -4,10 +4,30 @@
 #include "solvers/separable_cg.h"
 
 namespace deformlab {
+namespace {
 
-std::unique_ptr<StepSolver> make_step_solver(const std::string& name) {
+constexpr int kFewUnknowns = 100;  // whose JᵀJ is factored in no time
+
+}  // namespace
+
+Choice choose_step_solver(const Stage& stage) {
+  const auto unknowns = stage.x.X.size();
+  if (unknowns < kFewUnknowns) {
+    return {"cholmod", "there are only " + std::to_string(unknowns) + " unknowns"};
+  }
+  bool separable = false;
+  for (const auto& [energy, weight] : stage.terms) {
+    separable |= energy->structure() == Structure::kSeparable && energy->size() > 0;
+    if (energy->structure() != Structure::kLinear) continue;
+    return {"cholmod", "the term '" + std::string(energy->name()) + "' mixes the coordinates"};
+  }
+  if (!separable) return {"cholmod", "no term is separable"};
+  return {"separable_cg", std::to_string(unknowns) + " unknowns are coupled by separable terms"};
+}
+
+std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads) {
   if (name == "separable_cg") return std::make_unique<SeparableCg>();
-  return std::make_unique<DirectSteps>(make_linear_solver(name));
+  return std::make_unique<DirectSteps>(make_linear_solver(name, threads));
 }
 
 }  // namespace deformlab

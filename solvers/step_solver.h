@@ -12,6 +12,7 @@ namespace deformlab {
 struct LinearWork {
   int factorizations = 0;
   int cg_iterations = 0;
+  int unfinished = 0;  ///< solves that conjugate gradients gave up
   double factorize_seconds = 0;
   double solve_seconds = 0;
 };
@@ -35,11 +36,21 @@ class StepSolver {
   /// Nonzeros of JᵀJ's lower triangle as it is kept, and of the factor.
   virtual long nonzeros_JtJ() const = 0;
   virtual long nonzeros_factor() const = 0;
+  /// Of the preconditioned matrix, as the last direction or probe showed it; 0 where there is none.
+  virtual double condition() const { return 0; }
+  /// Takes a few iterations where the stage was compiled, to learn the condition.
+  virtual void probe() {}
 
   LinearWork work;
 };
 
+/// "separable_cg" where the terms suit it, else "cholmod"; says why.
+struct Choice {
+  std::string name, reason;
+};
+Choice choose_step_solver(const Stage& stage);
+
 /// name: "cholmod", "eigen_ldlt" or "separable_cg". Throws InputError for another.
-std::unique_ptr<StepSolver> make_step_solver(const std::string& name);
+std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads = 1);
 
 }  // namespace deformlab

@@ -40,9 +40,11 @@ struct Summary {
   long nonzeros_factor = 0;  ///< in L; 0 where the solver does not tell
   int factorizations = 0;
   int cg_iterations = 0;                  ///< of all steps, where the linear solver is iterative
+  double condition = 0;                   ///< of the preconditioned matrix, as measured at the end
   std::map<std::string, double> seconds;  ///< by phase: evaluate, factorize, solve, …, total
 
   std::string method, linear_solver, globalization;
+  std::string choice;  ///< why that linear solver, where `auto` took it
   std::string blas;
   int threads = 1;
 };

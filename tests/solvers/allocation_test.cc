@@ -116,9 +116,12 @@ TEST_F(Allocations, AreCounted) {
 }
 
 TEST_F(Allocations, AStepMakesNone) {
-  for (const char* globalization : {"none", "line_search", "levenberg"}) {
-    const SolverOptions options = gauss_newton("cholmod", globalization, 1e-300);
-    EXPECT_EQ(in_a_solve(options, 3), in_a_solve(options, 6)) << globalization;
+  for (const char* linear_solver : {"cholmod", "separable_cg"}) {
+    for (const char* globalization : {"none", "line_search", "levenberg", "accelerated"}) {
+      const SolverOptions options = gauss_newton(linear_solver, globalization, 1e-300);
+      EXPECT_EQ(in_a_solve(options, 3), in_a_solve(options, 6))
+          << linear_solver << " " << globalization;
+    }
   }
 }
 

@@ -35,6 +35,14 @@ TEST_P(Ladder, Rung3ConjugateGradientsAgreeWithCholmod) {
                       gauss_newton("separable_cg", "line_search", kTight));
 }
 
+TEST_P(Ladder, Rung3AcceleratedStepsAgreeWithHalvedOnes) {
+  for (const char* linear_solver : {"cholmod", "separable_cg"}) {
+    Stage stage = twisted_plate(GetParam());
+    expect_same_minimum(stage, gauss_newton("cholmod", "line_search", kTight),
+                        gauss_newton(linear_solver, "accelerated", kTight));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Nodes, Ladder, ::testing::Values(20, 200, 1000));
 
 class DenseStep : public ::testing::TestWithParam<int> {};
@@ -58,7 +66,8 @@ TEST(LadderTop, EveryMethodIsHonestOnAHardScene) {
   dogleg.ceres_trust_region = "dogleg";
   for (const SolverOptions& options :
        {gauss_newton("cholmod", "none"), gauss_newton("cholmod", "line_search"),
-        gauss_newton("cholmod", "levenberg"), ceres_with("auto"), dogleg}) {
+        gauss_newton("cholmod", "levenberg"), gauss_newton("cholmod", "accelerated"),
+        gauss_newton("separable_cg", "accelerated"), ceres_with("auto"), dogleg}) {
     Stage stage = make_stage(problem, targets);
     for (auto& [energy, weight] : stage.terms) {
       if (energy->name() != "rotation") weight *= 1e-3;  // as if lengths were in a large unit

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "energies/term_energy.h"
 #include "tests/solvers/ladder.h"
 
 namespace deformlab::test {
@@ -35,6 +36,8 @@ TEST_P(SeparableCg, FindsItWithNodesFixed) {
   expect_the_minimum_of_a_factorization("line_search");
 }
 
+TEST_P(SeparableCg, FindsItAccelerated) { expect_the_minimum_of_a_factorization("accelerated"); }
+
 INSTANTIATE_TEST_SUITE_P(Nodes, SeparableCg, ::testing::Values(20, 200, 1000));
 
 // With separable terms alone the preconditioner is the matrix itself.
@@ -67,6 +70,89 @@ TEST(SeparableCgPreconditioner, TakesAProblemWithoutAnyHandle) {
   EXPECT_TRUE(std::isfinite(s.final_cost));
   EXPECT_LT(s.final_cost, 1e-3 * s.initial_cost);
   EXPECT_TRUE(stage.x.X.allFinite());
+}
+
+TEST(Auto, TakesConjugateGradientsForAGraph) {
+  Stage stage = twisted_plate(200);
+  const Summary s = solve(stage, gauss_newton("auto", "accelerated"));
+  EXPECT_EQ(s.status, Status::kConverged);
+  EXPECT_EQ(s.linear_solver, "separable_cg");
+  EXPECT_THAT(s.choice, HasSubstr("separable"));
+  EXPECT_GE(s.condition, 1);
+  EXPECT_LT(s.condition, 1e4);
+}
+
+TEST(Auto, FactorsWhatIsSmall) {
+  Stage stage = twisted_plate(5);
+  const Summary s = solve(stage, gauss_newton("auto", "accelerated"));
+  EXPECT_EQ(s.linear_solver, "cholmod");
+  EXPECT_THAT(s.choice, HasSubstr("60 unknowns"));
+}
+
+struct Link {  // r = b − a
+  static constexpr std::string_view kName = "link";
+  static constexpr Structure kStructure = Structure::kSeparable;
+  template <class T>
+  Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& a,
+                                    const Eigen::Matrix<T, 2, 1>& b) const {
+    return b - a;
+  }
+};
+
+struct Rail {  // r = (n · a)² − 1: a vertex is on one of two lines
+  static constexpr std::string_view kName = "rail";
+  static constexpr Structure kStructure = Structure::kNonlinear;
+  Eigen::Vector2d n;
+  template <class T>
+  Eigen::Matrix<T, 1, 1> operator()(const Eigen::Matrix<T, 2, 1>& a) const {
+    return Eigen::Matrix<T, 1, 1>(a.dot(n) * a.dot(n) - T(1));
+  }
+};
+
+// A chain of vertices on rails that all but fix one coordinate each: the preconditioner, which
+// knows no difference between coordinates, all but fixes both.
+class Chain : public ::testing::Test {
+ protected:
+  static constexpr int n = 1000;
+  Stage stage_{Unknowns::uniform(Eigen::Matrix2Xd::Zero(2, n), n), std::vector<char>(n, 0), {}};
+  Eigen::Matrix2Xd on_rails_{2, n};
+
+  Chain() {
+    Terms<Link> links;
+    Terms<Rail> rails;
+    for (int j = 0; j < n; ++j) {
+      if (j > 0) links.add({}, {j - 1, j});
+      const double angle = 0.001 * j;
+      const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), across(-along[1], along[0]);
+      on_rails_.col(j) = across + std::sin(0.01 * j) * along;
+      rails.add({across}, {j});
+    }
+    stage_.fixed.front() = stage_.fixed.back() = 1;
+    stage_.terms.push_back({std::make_unique<TermEnergy<Link>>(std::move(links)), 1});
+    stage_.terms.push_back({std::make_unique<TermEnergy<Rail>>(std::move(rails)), 1e8});
+  }
+};
+
+TEST_F(Chain, IsFactoredWhereItsConditionIsSeenAtOnce) {
+  stage_.x.X = on_rails_;
+  const Summary s = solve(stage_, gauss_newton("auto", "accelerated"));
+  EXPECT_EQ(s.status, Status::kConverged) << s.message;
+  EXPECT_EQ(s.linear_solver, "cholmod");
+  EXPECT_THAT(s.choice, HasSubstr("condition"));
+  EXPECT_EQ(s.cg_iterations, 0);
+}
+
+// Where all is 0 the rails have no derivative.
+TEST_F(Chain, IsFactoredInTheEndWhereItsConditionIsSeenLate) {
+  const auto solver = make_solver(gauss_newton("auto", "accelerated"));
+  solver->compile(stage_);
+  stage_.x.X = on_rails_;
+  const Summary s = solver->solve(stage_);
+  EXPECT_EQ(s.status, Status::kConverged) << s.message;
+  EXPECT_EQ(s.linear_solver, "cholmod");
+  EXPECT_THAT(s.choice, HasSubstr("did not converge"));
+  ASSERT_FALSE(s.notes.empty());
+  EXPECT_THAT(s.notes.front(), HasSubstr("JᵀJ is factored instead"));
 }
 
 }  // namespace
