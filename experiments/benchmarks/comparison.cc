@@ -129,7 +129,10 @@ Comparison compare(int nodes, int repetitions) {
   Comparison comparison{nodes, 0, 0, {}, contenders()};
   std::vector<Contender>& all = comparison.ceres;
   std::erase_if(all, [&](const Contender& c) { return nodes > c.most_nodes; });
-  EmbeddedDeformation ours = reference_deformation(nodes, SolverOptions{});
+  SolverOptions options;
+  options.linear_solver = "cholmod";
+  options.globalization = "line_search";
+  EmbeddedDeformation ours = reference_deformation(nodes, options);
   run(ours);  // warms up
   for (Contender& c : all) run_pair(ours, c, comparison);
   sort_by_speed(all);

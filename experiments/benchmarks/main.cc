@@ -5,10 +5,13 @@
 
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "experiments/benchmarks/comparison.h"
+#include "experiments/benchmarks/duel.h"
 #include "experiments/benchmarks/growth.h"
 #include "experiments/benchmarks/rigid_comparison.h"
 #include "experiments/environment.h"
@@ -18,6 +21,9 @@
 DEFINE_string(comparison, "auto",
               "with the peers: yes, no, rigid (drawings only), or auto: unless a filter is given");
 DEFINE_int32(repetitions, 5, "of each pair in the comparison");
+DEFINE_string(duels, "auto", "the table of speeds: yes, no, or auto: unless a filter is given");
+DEFINE_string(duel_nodes, "222,425,1048,4000", "graph sizes of that table");
+DEFINE_string(json, "", "write the table of speeds into this JSON file");
 DEFINE_string(report, "", "write all figures into this Markdown file");
 
 namespace deformlab {
@@ -70,6 +76,10 @@ std::string report(const std::string& figures, const std::string& comparisons,
   return "# Benchmarks\n\nWritten by `./deformlab bench --report=results/benchmarks.md`. Ratios "
          "mean something on another machine, milliseconds do not.\n\n" +
          context() +
+         "\n## Whole edits against others\n\nEach ratio is of medians of this run, ours and theirs "
+         "in turns, one thread. From rest, compilation and Ceres' preprocessing are counted; of a "
+         "drag nothing but the update, on a problem that Ceres keeps too.\n\n" +
+         speeds +
          "\n## A step against Ceres\n\nThe reference scene: a bumpy plane of 201×201 vertices, "
          "4,020 handles, one strip lifted at once. Both solvers minimise the same terms from rest "
          "and stop by the same rule, in turns, on one thread. A step is the mean of a solve's: "
@@ -86,6 +96,9 @@ void print_help() {
   std::cout << "deformlab_bench's own:\n"
                "          [--comparison=auto|yes|no|rigid] with the peers (auto: unless filtered)\n"
                "          [--repetitions=<pairs of solves>]\n"
+               "          [--duels=auto|yes|no] the table of speeds (auto: unless filtered)\n"
+               "          [--duel_nodes=222,425,1048,4000] its graph sizes\n"
+               "          [--json=<JSON file>] of the table\n"
                "          [--report=<Markdown file>]\n";
 }
 

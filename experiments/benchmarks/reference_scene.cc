@@ -46,15 +46,18 @@ const ReferenceScene& reference_scene() {
   return scene;
 }
 
-EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver) {
+EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver, double side) {
   static std::map<int, Eigen::Matrix3Xd> nodes;
-  const EmbeddedDeformationOptions defaults;
   if (!nodes.contains(m)) {
-    nodes[m] = sample_nodes(reference_scene().shape, m, defaults.graph.seed);
+    nodes[m] = sample_nodes(reference_scene().shape, m, EmbeddedDeformationOptions{}.graph.seed);
   }
   EmbeddedDeformationOptions options;
   options.solver = solver;
-  return {reference_scene().shape, nodes[m], options};
+  if (side == 0) return {reference_scene().shape, nodes[m], options};
+  Shape shape = reference_scene().shape;
+  shape.V *= side;
+  options.length_unit = "1";
+  return {shape, side * nodes[m], options};
 }
 
 }  // namespace deformlab

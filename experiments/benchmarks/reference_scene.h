@@ -20,7 +20,8 @@ const ReferenceScene& reference_scene();
 /// n×n vertices over the unit square, z = 0.02 sin(10πx) sin(10πy), as quads, with unit normals.
 Shape bumpy_plane(int n);
 
-/// The scene with a graph of m nodes, the same for every solver, not compiled yet.
-EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver);
+/// The scene with a graph of m nodes, the same for every solver, not compiled yet. With a `side`
+/// its plane is that long and the energy is measured in its own unit: 2 makes a hard problem of it.
+EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver, double side = 0);
 
 }  // namespace deformlab
