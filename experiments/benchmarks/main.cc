@@ -71,8 +71,20 @@ std::string compare_rigid_shapes(bool& holds) {
   return text;
 }
 
+std::string duel_all() {
+  std::vector<Duel> all;
+  std::stringstream sizes(FLAGS_duel_nodes);
+  for (std::string nodes; std::getline(sizes, nodes, ',');) {
+    const std::vector<Duel> more = duels(std::stoi(nodes), FLAGS_repetitions);
+    all.insert(all.end(), more.begin(), more.end());
+    std::cout << to_markdown(more) << "\n" << std::flush;
+    if (!FLAGS_json.empty()) write_text(FLAGS_json, to_json(all));
+  }
+  return to_markdown(all);
+}
+
 std::string report(const std::string& figures, const std::string& comparisons,
-                   const std::string& rigid) {
+                   const std::string& rigid, const std::string& speeds) {
   return "# Benchmarks\n\nWritten by `./deformlab bench --report=results/benchmarks.md`. Ratios "
          "mean something on another machine, milliseconds do not.\n\n" +
          context() +
@@ -110,11 +122,12 @@ int run(bool filtered) {
   const std::string figures = reporter.to_markdown();
   std::cout << "\n" << figures << "\n" << std::flush;
   bool holds = true;
-  std::string comparisons, rigid;
+  std::string comparisons, rigid, speeds;
+  if (FLAGS_duels == "yes" || (FLAGS_duels == "auto" && !filtered)) speeds = duel_all();
   const bool all = FLAGS_comparison == "yes" || (FLAGS_comparison == "auto" && !filtered);
   if (all || FLAGS_comparison == "rigid") rigid = compare_rigid_shapes(holds);
   if (all) comparisons = compare_all(holds);
-  if (!FLAGS_report.empty()) write_text(FLAGS_report, report(figures, comparisons, rigid));
+  if (!FLAGS_report.empty()) write_text(FLAGS_report, report(figures, comparisons, rigid, speeds));
   return holds ? 0 : 1;
 }
 
