@@ -53,7 +53,9 @@ struct ExperimentConfig {
     visit("depth", o.depth, "which of two parts of a drawing that overlap is in front");
     visit("measure", o.measure, "what is measured beyond what every run measures");
     visit("picture", o.picture, "how it is drawn");
-    visit("sweep", o.sweep, "dotted keys and lists of values: every combination is run");
+    visit("sweep", o.sweep,
+          "dotted keys and lists of values, or a word and maps of keys by name: every combination "
+          "is run");
     visit("claims", o.claims, "what the measurements must show");
   }
 };

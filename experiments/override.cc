@@ -54,6 +54,21 @@ ConfigNode& step(ConfigNode& node, const std::string& name,
   return child;
 }
 
+// A list of values, or names of maps.
+void check_values(const ConfigNode& values, const std::string& whose) {
+  const bool named = values.kind == ConfigNode::Kind::kMap;
+  if ((!named && values.kind != ConfigNode::Kind::kList) || values.children.empty()) {
+    throw InputError(whose +
+                     " needs a list of one value or more, or maps of keys by their names, found " +
+                     values.found());
+  }
+  for (const ConfigNode& row : values.children) {
+    if (!named || (row.kind == ConfigNode::Kind::kMap && !row.children.empty())) continue;
+    throw InputError(whose + ": " + quote(row.key) + " (" + row.key_where() +
+                     ") must map keys of the config to values, found " + row.found());
+  }
+}
+
 void check_sweep(const ConfigNode& sweep) {
   if (sweep.kind != ConfigNode::Kind::kMap) {
     throw InputError("'sweep' must map dotted keys to lists (" + sweep.where() + "), found " +
@@ -63,9 +78,7 @@ void check_sweep(const ConfigNode& sweep) {
   for (const ConfigNode& values : sweep.children) {
     const std::string whose = "sweep over " + quote(values.key) + " (" + values.key_where() + ")";
     split_key(values.key, whose);
-    if (values.kind != ConfigNode::Kind::kList || values.children.empty()) {
-      throw InputError(whose + " needs a list of one value or more, found " + values.found());
-    }
+    check_values(values, whose);
     runs *= values.children.size();
     if (runs > kMaxSweepRuns) {
       throw InputError(whose + " makes more than " + std::to_string(kMaxSweepRuns) +
@@ -111,18 +124,43 @@ void append_settings(const std::string& key, const ConfigNode& value, std::vecto
   }
 }
 
+void append_value(const ConfigNode& values, const ConfigNode& value, SweptRun& run) {
+  const std::size_t before = run.overrides.size();
+  if (values.kind == ConfigNode::Kind::kMap) {
+    run.settings.emplace_back(values.key, value.key);
+    for (const ConfigNode& child : value.children) append_settings(child.key, child, run.overrides);
+    return;
+  }
+  append_settings(values.key, value, run.overrides);
+  for (std::size_t i = before; i < run.overrides.size(); ++i) {
+    run.settings.emplace_back(run.overrides[i].key, run.overrides[i].value);
+  }
+}
+
 }  // namespace
 
-std::vector<std::vector<Override>> expand_sweep(const ConfigNode& sweep) {
-  std::vector<std::vector<Override>> runs(1);
+std::vector<const ConfigNode*> swept_keys(const ConfigNode& sweep) {
+  std::vector<const ConfigNode*> keys;
+  for (const ConfigNode& values : sweep.children) {
+    if (values.kind != ConfigNode::Kind::kMap) keys.push_back(&values);
+    for (const ConfigNode& row : values.children) {
+      if (values.kind != ConfigNode::Kind::kMap) break;
+      for (const ConfigNode& key : row.children) keys.push_back(&key);
+    }
+  }
+  return keys;
+}
+
+std::vector<SweptRun> expand_sweep(const ConfigNode& sweep) {
+  std::vector<SweptRun> runs(1);
   if (sweep.kind == ConfigNode::Kind::kNull) return runs;
   check_sweep(sweep);
   for (const ConfigNode& values : sweep.children) {
-    std::vector<std::vector<Override>> longer;
-    for (const std::vector<Override>& run : runs) {
+    std::vector<SweptRun> longer;
+    for (const SweptRun& run : runs) {
       for (const ConfigNode& value : values.children) {
         longer.push_back(run);
-        append_settings(values.key, value, longer.back());
+        append_value(values, value, longer.back());
       }
     }
     runs = std::move(longer);

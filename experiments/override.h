@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/config_node.h"
@@ -30,11 +31,21 @@ Override parse_override(std::string_view text);
 /// where the value is not YAML, an index is outside its list, or a scalar stands in the way.
 void apply_override(ConfigNode& root, const Override& change);
 
-/// The cartesian product of a `sweep:` block, which maps dotted keys to lists of values: for each
-/// run its overrides, in file order, the first key varying slowest; a map in such a list sets
-/// each of its keys and leaves the others as they are. No block (a null node): one run
-/// without overrides. Throws InputError where the block is not such a map, a list is empty, or
+/// One run of a sweep: what it is known by, and what it sets over the config.
+struct SweptRun {
+  std::vector<std::pair<std::string, std::string>> settings;  ///< key of the sweep, value as YAML
+  std::vector<Override> overrides;
+};
+
+/// The keys of the config that a sweep sets, where they stand in it.
+std::vector<const ConfigNode*> swept_keys(const ConfigNode& sweep);
+
+/// The cartesian product of a `sweep:` block, in file order, the first key varying slowest. A
+/// dotted key maps to a list of values; a map in such a list sets each of its keys and leaves the
+/// others as they are. A word of one's own maps names to maps of dotted keys, which then are set
+/// together: `row: {small: {graph.nodes: 30, edit: […]}, large: {…}}`. No block (a null node): one
+/// run that sets nothing. Throws InputError where the block is not such a map, a list is empty, or
 /// there are more than kMaxSweepRuns runs.
-std::vector<std::vector<Override>> expand_sweep(const ConfigNode& sweep);
+std::vector<SweptRun> expand_sweep(const ConfigNode& sweep);
 
 }  // namespace deformlab

@@ -27,12 +27,12 @@ ConfigNode with_overrides(ConfigNode root, const std::vector<Override>& override
 // A sweep would silently win over what was asked for on the command line.
 void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& sweep) {
   for (const Override& change : overrides) {
-    for (const ConfigNode& swept : sweep.children) {
-      const bool same = change.key == swept.key || change.key.starts_with(swept.key + ".") ||
-                        swept.key.starts_with(change.key + ".");
+    for (const ConfigNode* swept : swept_keys(sweep)) {
+      const bool same = change.key == swept->key || change.key.starts_with(swept->key + ".") ||
+                        swept->key.starts_with(change.key + ".");
       if (!same) continue;
       throw InputError("override " + quote(change.text()) + ": the config sweeps over '" +
-                       swept.key + "' itself (" + swept.key_where() +
+                       swept->key + "' itself (" + swept->key_where() +
                        "); override 'sweep={...}' instead, or 'sweep=null' for a single run");
     }
   }
@@ -68,11 +68,11 @@ void check_picture(const PictureOptions& o) {
 
 // Each run is of the rest of the config: the pictures, the claims and the sweep are of all of them.
 void check_swept_keys(const ConfigNode& sweep) {
-  for (const ConfigNode& swept : sweep.children) {
-    const std::string key = swept.key.substr(0, swept.key.find('.'));
+  for (const ConfigNode* swept : swept_keys(sweep)) {
+    const std::string key = swept->key.substr(0, swept->key.find('.'));
     for (const char* whole : {"title", "paper", "picture", "sweep", "claims"}) {
       if (key != whole) continue;
-      throw InputError("the sweep over " + quote(swept.key) + " (" + swept.key_where() +
+      throw InputError("the sweep over " + quote(swept->key) + " (" + swept->key_where() +
                        ") changes no run: '" + key + "' is one for all of them");
     }
   }
@@ -99,7 +99,7 @@ void check_edit(const ExperimentConfig& config) {
 // A config that was read whole: nothing in it is unknown, of a wrong type or out of its range.
 struct Plan {
   ExperimentConfig config;
-  std::vector<std::vector<Override>> combinations;
+  std::vector<SweptRun> combinations;
   std::vector<ExperimentConfig> runs;
 };
 
@@ -112,7 +112,7 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
   check_swept_keys(result.config.sweep);
   result.combinations = expand_sweep(result.config.sweep);
   for (const auto& combination : result.combinations) {
-    result.runs.push_back(read(with_overrides(root, combination)));
+    result.runs.push_back(read(with_overrides(root, combination.overrides)));
     make_solver(result.runs.back().method.deformation.solver);
     check(result.runs.back().drag);
     check(result.runs.back().measure);
@@ -189,7 +189,7 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
   Books books(outcome.config.picture);
   for (std::size_t i = 0; i < configs.size(); ++i) {
     MeasuredRun settings;
-    for (const Override& o : combinations[i]) settings.settings.emplace_back(o.key, o.value);
+    settings.settings = combinations[i].settings;
     progress(i + 1, configs.size(), label(settings));
     const std::string caption = configs.size() > 1 ? label(settings) : "deformed";
     outcome.runs.push_back(books.run(configs[i], path.parent_path(), caption));

@@ -345,11 +345,11 @@ TEST(Override, MalformedOnesAreRefused) {
               ThrowsMessage<InputError>(HasSubstr("more than 64 names")));
 }
 
-std::vector<std::string> texts(const std::vector<std::vector<Override>>& runs) {
+std::vector<std::string> texts(const std::vector<SweptRun>& runs) {
   std::vector<std::string> all;
-  for (const auto& run : runs) {
+  for (const SweptRun& run : runs) {
     std::string text;
-    for (const Override& change : run) text += change.text() + ";";
+    for (const Override& change : run.overrides) text += change.text() + ";";
     all.push_back(text);
   }
   return all;
@@ -360,8 +360,21 @@ TEST(Sweep, IsTheCartesianProductInFileOrder) {
   EXPECT_THAT(texts(expand_sweep(sweep)),
               ElementsAre("b.c=1;a=[0, 0, 1];", "b.c=1;a.k=~;", "b.c=1;a=~;",
                           "b.c=\"x: y\";a=[0, 0, 1];", "b.c=\"x: y\";a.k=~;", "b.c=\"x: y\";a=~;"));
-  EXPECT_EQ(expand_sweep(sweep)[0][0].folder, "folder");
+  EXPECT_EQ(expand_sweep(sweep)[0].overrides[0].folder, "folder");
   EXPECT_THAT(texts(expand_sweep(ConfigNode{})), ElementsAre(""));
+}
+
+TEST(Sweep, NamedMapsSetTheirKeysTogether) {
+  const ConfigNode sweep =
+      parse("{row: {small: {a.b: 1, edit: [2]}, large: {a: {c: 3}}}, k: [4, 5]}");
+  const std::vector<SweptRun> runs = expand_sweep(sweep);
+  EXPECT_THAT(texts(runs), ElementsAre("a.b=1;edit=[2];k=4;", "a.b=1;edit=[2];k=5;", "a.c=3;k=4;",
+                                       "a.c=3;k=5;"));
+  using Settings = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(runs[1].settings, (Settings{{"row", "small"}, {"k", "5"}}));
+  std::vector<std::string> keys;
+  for (const ConfigNode* key : swept_keys(sweep)) keys.push_back(key->key);
+  EXPECT_THAT(keys, ElementsAre("a.b", "edit", "a", "k"));
 }
 
 TEST(Sweep, RefusesWhatIsNoSweep) {
@@ -375,6 +388,9 @@ TEST(Sweep, RefusesWhatIsNoSweep) {
   };
   EXPECT_THAT(error("a: [1]\nb: []"), HasSubstr("sweep over 'b' (line 2 of c.yaml) needs a list"));
   EXPECT_THAT(error("a: 3"), HasSubstr("found '3'"));
+  EXPECT_THAT(error("row: {}"), HasSubstr("or maps of keys by their names"));
+  EXPECT_THAT(error("row: {one: 3}"), HasSubstr("'one' (line 1 of c.yaml) must map keys"));
+  EXPECT_THAT(error("row: {one: {}}"), HasSubstr("'one' (line 1 of c.yaml) must map keys"));
   EXPECT_THAT(error("[1]"), HasSubstr("'sweep' must map dotted keys to lists (line 1"));
   EXPECT_THAT(error("a..b: [1]"), HasSubstr("empty name"));
   std::string hundred = "[0";
