@@ -23,7 +23,8 @@ std::string help_text() {
       edits a mesh animation; in EDIT.yaml `keyframes:` may stand beside or for `edit:`; a run that
       was stopped goes on where it was
   deformlab animate --particles CACHE.csv --edit EDIT.yaml --out OUT.csv [--nodes N] [key=value]…
-      edits particles (frame,id,x,y,z); selections speak of the nodes along the path of one of them
+      edits particles (frame,id,x,y,z); selections speak of the nodes along the path of one of
+      them, chosen for its long and straight life, or by path=ID
   deformlab list     the energies, solvers and their options
   deformlab help     this text, and every key of a config
 

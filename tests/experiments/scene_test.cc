@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/measurements.h"
 #include "experiments/resample.h"
 #include "geometry/error.h"
 #include "tests/support/shapes.h"
@@ -67,6 +68,12 @@ TEST(RangeScan, IsTheSameEachTimeAndNamesWhatItCannotDo) {
   EXPECT_THROW(range_scan(small_plane(), options), InputError);
   options.resolution = 32;
   EXPECT_THROW(range_scan(test::point_set(50), options), InputError);
+}
+
+TEST(CountComponents, AreWhatNoFaceJoins) {
+  EXPECT_EQ(count_components(small_plane()), 1);
+  EXPECT_EQ(count_components(test::side_by_side(test::tube(4), test::tube(3), {9, 0, 0})), 2);
+  EXPECT_EQ(count_components(test::point_set(50)), 50);
 }
 
 }  // namespace
