@@ -7,8 +7,9 @@ namespace deformlab {
 /// Embedded deformation of a stream of particles (Sumner et al. 2007, section 5, "Particle
 /// simulations"): the graph is a chain of samples of the path that one particle takes. It stands in
 /// space, and particles that come through are under the influence of the nodes they are near to.
-/// Nothing in the energy says how far such a chain may turn about itself: where the path is curved
-/// at rest, and is bent another way, the minimum turns it so that both curvatures agree.
+/// Nothing in the paper's energy says how far such a chain may turn about itself: where the path is
+/// curved at rest, and is bent another way, its minimum turns it so that both curvatures agree. The
+/// energy term `smoothness` keeps it from that.
 class StreamDeformation {
  public:
   /// `samples` is 3×m, in order of time [length]. Throws InputError for options out of range and

@@ -7,6 +7,7 @@
 #include "energies/regularization.h"
 #include "energies/rotation.h"
 #include "energies/similarity.h"
+#include "energies/smoothness.h"
 
 namespace deformlab {
 
@@ -16,7 +17,7 @@ struct TermList {};
 /// The terms over a deformation graph, in space (d = 3) and in the plane (d = 2). One that is named
 /// here has a weight in configs, both solvers, a column in results and every law test.
 template <int d>
-using GraphTerms = TermList<Rotation<d>, Regularization<d>, Constraint<d>>;
+using GraphTerms = TermList<Rotation<d>, Regularization<d>, Constraint<d>, Smoothness<d>>;
 
 /// The terms over a triangulation of the plane, held to the same laws; rigid_shape minimises them.
 using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PlaceConstraint>;

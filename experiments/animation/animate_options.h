@@ -23,8 +23,9 @@ struct AnimateOptions {
   }
 };
 
-/// Throws InputError for what is no option. The chain of a particle's path is solved by
-/// separable_cg where no option of the solver is named.
+/// Throws InputError for what is no option. The chain of a particle's path may turn about itself at
+/// no cost to the paper's terms: for particles energies.smoothness is 1 where nothing else is said,
+/// and linear_solver is separable_cg where no option of the solver is named.
 AnimateOptions read_animate_options(const std::vector<std::string>& overrides,
                                     const AnimateFlags& flags);
 

@@ -209,5 +209,42 @@ TEST(StreamDeformation, TheInfluenceOnAParticleChangesAsItMoves) {
   for (int j = 11; j < 20; ++j) EXPECT_GT(way(2, j), way(2, j - 1)) << j;
 }
 
+// A flat arc of 60 nodes that turns through one radian to the left, and `up` of it, its like that
+// turns upwards as well.
+Eigen::Matrix3Xd arc(bool up) {
+  Eigen::Matrix3Xd samples = Eigen::Matrix3Xd::Zero(3, 60);
+  for (int j = 1; j < 60; ++j) {
+    const double turn = j / 60.0, rise = up ? turn : 0;
+    const Eigen::Vector3d along(std::cos(turn) * std::cos(rise), std::sin(turn) * std::cos(rise),
+                                std::sin(rise));
+    samples.col(j) = samples.col(j - 1) + 0.05 * along;
+  }
+  return samples;
+}
+
+// The greatest change of R from a node to the next.
+double roughness(const Transformations& X) {
+  double most = 0;
+  for (Eigen::Index j = 4; j < X.cols(); j += 4) {
+    most = std::max(most, (X.middleCols<3>(j) - X.middleCols<3>(j - 4)).norm());
+  }
+  return most;
+}
+
+TEST(StreamDeformation, SmoothnessKeepsACurvedPathFromTwisting) {
+  std::vector<double> rough;
+  for (const double weight : {0.0, 1.0}) {
+    EmbeddedDeformationOptions o = for_a_chain();
+    o.energies["smoothness"] = weight;
+    StreamDeformation stream(arc(false), o);
+    const std::vector<int> held{0, 15, 30, 45, 59};
+    stream.compile({.fixed = {}, .moved = held});
+    stream.update(arc(true)(Eigen::all, held));
+    rough.push_back(roughness(stream.deformation().transformations()));
+  }
+  EXPECT_LT(rough[1], 0.1);
+  EXPECT_GT(rough[0], 2 * rough[1]);
+}
+
 }  // namespace
 }  // namespace deformlab::test
