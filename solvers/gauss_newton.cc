@@ -107,7 +107,6 @@ bool GaussNewton::newton_direction(const Stage& stage, double given) {
       summary_.notes.push_back("JᵀJ is singular: some motion changes no term; damped");
     }
   }
-  if (regular) steps_->linearization().set_direction(delta_);
   return regular;
 }
 
@@ -119,12 +118,14 @@ double GaussNewton::try_step(const Stage& stage, double scale) {
 
 GaussNewton::Outcome GaussNewton::full_step(Stage& stage, Iteration& iteration) {
   if (!newton_direction(stage)) return Outcome::kSingular;
+  steps_->linearization().set_direction(delta_);
   iteration.cost = try_step(stage, 1);
   return std::isfinite(iteration.cost) ? Outcome::kAccepted : Outcome::kNotFinite;
 }
 
 GaussNewton::Outcome GaussNewton::line_search(Stage& stage, Iteration& iteration) {
   if (!newton_direction(stage)) return Outcome::kSingular;
+  steps_->linearization().set_direction(delta_);
   const double slope = 2 * steps_->linearization().Jtr().dot(delta_);
   for (double scale = 1; scale >= kSmallestStep; scale /= 2) {
     iteration.cost = try_step(stage, scale);
