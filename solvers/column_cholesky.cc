@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/clones.h"
 #include "geometry/four.h"
@@ -152,7 +153,6 @@ void ColumnCholesky::find_panels(const SparseMatrix& lower) {
     bool joins = false;
     if (!panels_.empty()) {
       const Panel& left = panels_.back();
-      const auto below = static_cast<int>(rows.size());
       if (lowest.back() == c) {
         meet_all(left);
         const auto all = static_cast<int>(rows.size());
@@ -160,7 +160,6 @@ void ColumnCholesky::find_panels(const SparseMatrix& lower) {
       } else if (lowest.back() < n) {
         next_child.back() = std::exchange(first_child[lowest.back()], int(panels_.size()) - 1);
       }
-      (void)below;
     }
     if (joins) {
       rows_.resize(panels_.back().index);
@@ -191,86 +190,108 @@ void ColumnCholesky::sort_rows(int n) {
   }
 }
 
-// From left to right, each panel less what those before it add to its rows.
-bool ColumnCholesky::compute(const SparseMatrix& lower) {
-  const auto n = static_cast<int>(lower.cols());
+// Where the entries of each panel begin.
+void ColumnCholesky::place_values() {
   std::size_t size = 0;
-  std::vector<int> panel_of(n), place(n), waiting(panels_.size(), -1), next(panels_.size(), -1);
-  std::vector<int> reached(panels_.size(), 0);  // the first row of a panel not dealt with yet
-  for (std::size_t p = 0; p < panels_.size(); ++p) {
-    Panel& panel = panels_[p];
+  for (Panel& panel : panels_) {
     panel.values = size;
     size += panel.width * (panel.width + 1) / 2 + std::size_t(panel.rows) * panel.width;
-    for (int c = 0; c < panel.width; ++c) panel_of[panel.first + c] = static_cast<int>(p);
   }
   values_.resize(size);
-  std::vector<double> work;
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  for (int p = 0; p < static_cast<int>(panels_.size()); ++p) {
-    const Panel& panel = panels_[p];
-    const int width = panel.width, *row = rows_.data() + panel.index;
-    work.assign(4 * std::size_t(width + panel.rows), 0);
-    for (int c = 0; c < width; ++c) place[panel.first + c] = c;
-    for (int r = 0; r < panel.rows; ++r) place[row[r]] = width + r;
-    for (int c = 0; c < width; ++c) {
-      for (int k = lower.outerIndexPtr()[panel.first + c];
-           k < lower.outerIndexPtr()[panel.first + c + 1]; ++k) {
-        work[4 * place[lower.innerIndexPtr()[k]] + c] = lower.valuePtr()[k];
-      }
+}
+
+// What a factorization needs beside its result.
+struct ColumnCholesky::Workspace {
+  std::vector<int> panel_of;  // of each column
+  std::vector<int> place;     // of each row among those of the panel under work
+  // The panels that are waited for by a panel, as a list: its first, and who comes after each.
+  std::vector<int> waiting, next;
+  std::vector<int> reached;  // the first row of a panel that is not dealt with yet
+  std::vector<double> rows;  // of the panel under work, four entries each
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // pivots
+};
+
+// The entries of the matrix in a panel's columns.
+void ColumnCholesky::load(const SparseMatrix& lower, const Panel& panel, Workspace& w) const {
+  const int* row = rows_.data() + panel.index;
+  w.rows.assign(4 * std::size_t(panel.width + panel.rows), 0);
+  for (int c = 0; c < panel.width; ++c) w.place[panel.first + c] = c;
+  for (int r = 0; r < panel.rows; ++r) w.place[row[r]] = panel.width + r;
+  for (int c = 0; c < panel.width; ++c) {
+    const int* begin = lower.outerIndexPtr() + panel.first + c;
+    for (int k = begin[0]; k < begin[1]; ++k) {
+      w.rows[4 * w.place[lower.innerIndexPtr()[k]] + c] = lower.valuePtr()[k];
     }
-    for (int q = waiting[p], after; q >= 0; q = after) {
-      after = next[q];
-      const Panel& left = panels_[q];
-      const int* left_row = rows_.data() + left.index;
-      const double* left_value = values_.data() + left.values + left.width * (left.width + 1) / 2;
-      const int from = reached[q];
-      double coefficient[4 * kWidth] = {};
-      int to = from;
-      for (; to < left.rows && left_row[to] < panel.first + width; ++to) {
-        for (int i = 0; i < left.width; ++i) {
-          coefficient[4 * i + left_row[to] - panel.first] = left_value[to * left.width + i];
-        }
-      }
-      subtract_panel(left.width, left_row + from, left.rows - from,
-                     left_value + std::ptrdiff_t(from) * left.width, coefficient, place.data(),
-                     work.data());
-      reached[q] = to;
-      if (to < left.rows) next[q] = std::exchange(waiting[panel_of[left_row[to]]], q);
-    }
-    double* value = values_.data() + panel.values;
-    double inverse[kWidth];
-    double* triangle = value;
-    for (int r = 0; r < width; ++r) {
-      double* own = work.data() + 4 * r;
-      for (int c = 0; c < r; ++c) {
-        for (int b = 0; b < c; ++b) own[c] -= own[b] * work[4 * c + b];
-        own[c] *= inverse[c];
-        *value++ = own[c];
-      }
-      for (int b = 0; b < r; ++b) own[r] -= own[b] * own[b];
-      if (!(own[r] > 0)) return false;
-      smallest = std::min(smallest, own[r]);
-      largest = std::max(largest, own[r]);
-      inverse[r] = 1 / std::sqrt(own[r]);
-      *value++ = inverse[r];
-    }
-    (void)triangle;
-    for (int r = 0; r < panel.rows; ++r) {
-      double* own = work.data() + 4 * (width + r);
-      for (int c = 0; c < width; ++c) {
-        for (int b = 0; b < c; ++b) own[c] -= own[b] * work[4 * c + b];
-        own[c] *= inverse[c];
-        *value++ = own[c];
-      }
-    }
-    if (panel.rows > 0) next[p] = std::exchange(waiting[panel_of[row[0]]], p);
   }
-  return smallest > kSingularRatio * largest;
+}
+
+// Less what the panel `q` to the left adds, which then waits for the next one that it reaches.
+void ColumnCholesky::subtract(int q, const Panel& panel, Workspace& w) const {
+  const Panel& left = panels_[q];
+  const int* row = rows_.data() + left.index;
+  const double* value = values_.data() + left.values + left.width * (left.width + 1) / 2;
+  const int from = w.reached[q];
+  double coefficient[4 * kWidth] = {};
+  int to = from;
+  for (; to < left.rows && row[to] < panel.first + panel.width; ++to) {
+    for (int i = 0; i < left.width; ++i) {
+      coefficient[4 * i + row[to] - panel.first] = value[to * left.width + i];
+    }
+  }
+  subtract_panel(left.width, row + from, left.rows - from,
+                 value + std::ptrdiff_t(from) * left.width, coefficient, w.place.data(),
+                 w.rows.data());
+  w.reached[q] = to;
+  if (to < left.rows) w.next[q] = std::exchange(w.waiting[w.panel_of[row[to]]], q);
+}
+
+// The factor's entries of a panel. False where a pivot is not positive.
+bool ColumnCholesky::finish(const Panel& panel, Workspace& w) {
+  double* value = values_.data() + panel.values;
+  double inverse[kWidth];
+  for (int r = 0; r < panel.width + panel.rows; ++r) {
+    double* own = w.rows.data() + 4 * std::ptrdiff_t(r);
+    for (int c = 0; c < std::min(r, panel.width); ++c) {
+      for (int b = 0; b < c; ++b) own[c] -= own[b] * w.rows[4 * c + b];
+      own[c] *= inverse[c];
+      *value++ = own[c];
+    }
+    if (r >= panel.width) continue;
+    for (int b = 0; b < r; ++b) own[r] -= own[b] * own[b];
+    if (!(own[r] > 0)) return false;
+    w.smallest = std::min(w.smallest, own[r]);
+    w.largest = std::max(w.largest, own[r]);
+    inverse[r] = 1 / std::sqrt(own[r]);
+    *value++ = inverse[r];
+  }
+  return true;
+}
+
+// From left to right, each panel less what those before it add to its rows.
+bool ColumnCholesky::compute(const SparseMatrix& lower) {
+  const std::size_t n = lower.cols(), count = panels_.size();
+  Workspace w{std::vector<int>(n),         std::vector<int>(n),        std::vector<int>(count, -1),
+              std::vector<int>(count, -1), std::vector<int>(count, 0), {}};
+  for (std::size_t p = 0; p < count; ++p) {
+    std::fill_n(w.panel_of.begin() + panels_[p].first, panels_[p].width, static_cast<int>(p));
+  }
+  for (int p = 0; p < static_cast<int>(count); ++p) {
+    load(lower, panels_[p], w);
+    for (int q = w.waiting[p], after; q >= 0; q = after) {
+      after = w.next[q];
+      subtract(q, panels_[p], w);
+    }
+    if (!finish(panels_[p], w)) return false;
+    const int* row = rows_.data() + panels_[p].index;
+    if (panels_[p].rows > 0) w.next[p] = std::exchange(w.waiting[w.panel_of[row[0]]], p);
+  }
+  return w.smallest > kSingularRatio * w.largest;
 }
 
 bool ColumnCholesky::factorize(const SparseMatrix& lower) {
   find_panels(lower);
   sort_rows(static_cast<int>(lower.cols()));
+  place_values();
   return compute(lower);
 }
 

@@ -28,9 +28,15 @@ class ColumnCholesky {
   };
 
  private:
+  struct Workspace;
+
   void find_panels(const SparseMatrix& lower);
   void sort_rows(int n);
+  void place_values();
   bool compute(const SparseMatrix& lower);
+  void load(const SparseMatrix& lower, const Panel& panel, Workspace& w) const;
+  void subtract(int q, const Panel& panel, Workspace& w) const;
+  bool finish(const Panel& panel, Workspace& w);
 
   std::vector<Panel> panels_;
   std::vector<int> rows_;
