@@ -7,6 +7,7 @@ namespace deformlab {
 namespace {
 
 constexpr double kNodeShare = 0.03;  // of a mean edge: nodes of a dense graph are drawn smaller
+constexpr double kAlike = 10;        // shapes of more different sizes are framed one by one
 constexpr std::size_t kMostHandleBalls = 60;  // more are a region, which its tint shows better
 
 // A square at each deformed node, upright along x at rest, as its R_j deforms it: the
@@ -29,6 +30,14 @@ Eigen::Matrix3Xd deformed_nodes(const DeformationGraph& graph, const Transformat
   Eigen::Matrix3Xd places = graph.g;
   for (Eigen::Index j = 0; j < places.cols(); ++j) places.col(j) += X.col(4 * j + 3);
   return places;
+}
+
+// Whether all show at one scale; a sweep over shapes may not.
+bool are_alike(const std::vector<std::unique_ptr<Shape>>& shapes) {
+  std::vector<double> sizes;
+  for (const auto& shape : shapes) sizes.push_back(bounding_box_diagonal(shape->V));
+  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+  return *most <= kAlike * *least;
 }
 
 }  // namespace
@@ -86,8 +95,12 @@ Image PictureBook::render() const {
   options.camera.direction = options_.direction;
   options.camera.up = options_.up;
   options.light = options_.light;
-  const int columns = options_.columns > 0 ? options_.columns : panels_.size() <= 2 ? 2 : 4;
-  return render_grid(panels_, options, std::min<int>(columns, static_cast<int>(panels_.size())));
+  const int wanted = options_.columns > 0 ? options_.columns : panels_.size() <= 2 ? 2 : 4;
+  const int columns = std::min<int>(wanted, static_cast<int>(panels_.size()));
+  if (are_alike(shapes_)) return render_grid(panels_, options, columns);
+  std::vector<Image> images;
+  for (const Panel& panel : panels_) images.push_back(render_grid({panel}, options, 1));
+  return grid(images, columns);
 }
 
 }  // namespace deformlab
