@@ -152,7 +152,7 @@ class TermEnergy final : public Energy {
       for (int i = 0; i < entries(a); ++i) values[a][i].v[i] = 1;
       const auto r = Sig<Jet>::apply(sum_.elements[e], at.data(), arity());
       for (int row = 0; row < kRows; ++row) {
-        J.row(row).segment(column, entries(a)) = r[row].v.head(entries(a)).transpose();
+        for (int i = 0; i < entries(a); ++i) J(row, column + i) = r[row].v[i];
       }
       for (int i = 0; i < entries(a); ++i) values[a][i].v[i] = 0;
     }
