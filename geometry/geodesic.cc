@@ -3,6 +3,7 @@
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -69,6 +70,12 @@ class HeatMethod {
 };
 
 std::unique_ptr<HeatMethod> make_heat_method(const Shape& shape, const Eigen::Matrix3Xi& T) {
+  for (const auto t : T.colwise()) {
+    const Eigen::Vector3d u = shape.V.col(t[1]) - shape.V.col(t[0]);
+    if (u.cross(Eigen::Vector3d(shape.V.col(t[2]) - shape.V.col(t[0]))).norm() == 0) {
+      reject_thin_triangles();  // CGAL asserts that there is none
+    }
+  }
   try {
     return std::make_unique<HeatMethod>(shape, T);
   } catch (const CGAL::Failure_exception&) {  // of a factorization
