@@ -1,26 +1,18 @@
 #include <SuiteSparse_config.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cstdlib>
-#include <new>
 
+#include "tests/support/heap_calls.h"
 #include "tests/support/stages.h"
 
-// Counts the heap calls of the whole program; CHOLMOD's own, which go through SuiteSparse's
+// Of the heap calls of the whole program CHOLMOD's own, which go through SuiteSparse's
 // function pointers, are left out. (Eigen allocates by malloc, not by operator new.)
 namespace {
 
-std::atomic<long> calls = 0;
-thread_local bool inside_suitesparse = false;
-
-void count() {
-  if (!inside_suitesparse) ++calls;
-}
-
 struct InsideSuiteSparse {
-  InsideSuiteSparse() { inside_suitesparse = true; }
-  ~InsideSuiteSparse() { inside_suitesparse = false; }
+  InsideSuiteSparse() { deformlab::test::heap_calls_are_counted = false; }
+  ~InsideSuiteSparse() { deformlab::test::heap_calls_are_counted = true; }
 };
 
 void* suitesparse_malloc(size_t size) {
@@ -37,43 +29,6 @@ void* suitesparse_realloc(void* p, size_t size) {
 }
 
 }  // namespace
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-// A sanitizer owns malloc: here operator new has to do, and Eigen's calls go uncounted.
-void* operator new(size_t size, const std::nothrow_t&) noexcept {
-  count();
-  return std::malloc(size);
-}
-void* operator new(size_t size) {
-  count();
-  void* p = std::malloc(size);
-  if (p == nullptr) throw std::bad_alloc();
-  return p;
-}
-// Inlined, they would look to GCC like a free of what new gave.
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, size_t) noexcept { std::free(p); }
-#else
-// glibc's malloc, counted.
-extern "C" {
-void* __libc_malloc(size_t size);
-void* __libc_calloc(size_t n, size_t size);
-void* __libc_realloc(void* p, size_t size);
-
-void* malloc(size_t size) {
-  count();
-  return __libc_malloc(size);
-}
-void* calloc(size_t n, size_t size) {
-  count();
-  return __libc_calloc(n, size);
-}
-void* realloc(void* p, size_t size) {
-  count();
-  return __libc_realloc(p, size);
-}
-}
-#endif
 
 namespace deformlab::test {
 namespace {
@@ -101,18 +56,18 @@ class Allocations : public ::testing::Test {
     solver->compile(stage);
     solver->solve(stage);
     stage.x = start;
-    const long before = calls;
+    const long before = heap_calls;
     const Summary summary = solver->solve(stage);
-    const long result = calls - before;
+    const long result = heap_calls - before;
     EXPECT_EQ(std::ssize(summary.iterations), steps) << summary.message;
     return result;
   }
 };
 
 TEST_F(Allocations, AreCounted) {
-  const long before = calls;
+  const long before = heap_calls;
   const std::vector<double> numbers(100);
-  EXPECT_GE(calls - before, 1);
+  EXPECT_GE(heap_calls - before, 1);
 }
 
 TEST_F(Allocations, AStepMakesNone) {
