@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nanoflann.hpp>
 #include <numeric>
 #include <random>
 #include <string>
@@ -32,9 +33,8 @@ Eigen::VectorXd areas(const Shape& shape, const Eigen::Matrix3Xi& T) {
 
 // Uniform over the area. (CGAL's generator draws its barycentric coordinates from a global source,
 // so that a seed would not be enough to repeat a run.)
-Eigen::Matrix3Xd points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi& T, int count,
-                                     std::uint64_t seed) {
-  const Eigen::VectorXd area = areas(shape, T);
+Eigen::Matrix3Xd points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi& T,
+                                     const Eigen::VectorXd& area, int count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::discrete_distribution<Eigen::Index> triangle(area.begin(), area.end());
   std::uniform_real_distribution<double> uniform;
@@ -48,80 +48,51 @@ Eigen::Matrix3Xd points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi&
   return result;
 }
 
-// The points of which no other is near yet, taken in a random order: those that remain when each
-// chosen point removes all within radius r.
+// Points taken in a random order, each removing all others within radius r.
 class Elimination {
  public:
   Elimination(const Eigen::Matrix3Xd& points, std::uint64_t seed)
-      : points_(points), order_(points.cols()), next_(points.cols()) {
+      : tree_(3, points, kLeaf), points_(points), order_(points.cols()) {
     std::iota(order_.begin(), order_.end(), Eigen::Index{0});
     std::mt19937_64 random(seed);
     std::shuffle(order_.begin(), order_.end(), random);
-    std::size_t size = 1024;
-    while (size < static_cast<std::size_t>(points.cols())) size *= 2;
-    first_.resize(size);
-    low_ = points.rowwise().minCoeff();
-    extent_ = (points.rowwise().maxCoeff() - low_).maxCoeff();
   }
 
-  // Chosen points are kept by cells of side r, so that only those around have to be looked at.
+  // Squared distances, compared strictly: the least positive number still removes copies.
   std::vector<Eigen::Index> remaining(double r) {
-    // Squared distances, compared strictly: the least positive number still removes copies.
     const double reach = std::max(r * r, std::numeric_limits<double>::min());
-    const double side = std::max({r, kLeastCell * extent_, std::numeric_limits<double>::min()});
-    std::fill(first_.begin(), first_.end(), Eigen::Index{-1});
+    removed_.assign(order_.size(), 0);
     std::vector<Eigen::Index> kept;
     for (const Eigen::Index i : order_) {
-      const Cell cell = ((points_.col(i) - low_) / side).array().floor().cast<std::int64_t>();
-      if (any_near(i, cell, reach)) continue;
-      const std::size_t at = slot(cell);
-      next_[i] = std::exchange(first_[at], i);
+      if (removed_[i]) continue;
       kept.push_back(i);
+      Remover remover{reach, removed_.data()};
+      tree_.index->findNeighbors(remover, points_.col(i).data(), {});
     }
     return kept;
   }
 
  private:
-  using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
-  static constexpr double kLeastCell = 1e-15;  // of the extent: what cells can be counted with
+  using Tree =
+      nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2_Simple, false>;
+  static constexpr int kLeaf = 32;  // a ball holds about kDensity points
 
-  // Cells that share a slot only add points that are too far.
-  std::size_t slot(const Cell& cell) const {
-    std::uint64_t h = 0;
-    for (int i = 0; i < 3; ++i) {
-      h = (h ^ static_cast<std::uint64_t>(cell[i])) * 0x9e3779b97f4a7c15;
-      h ^= h >> 29;
+  // What nanoflann asks of a set that it fills.
+  struct Remover {
+    double reach;
+    char* removed;
+    bool full() const { return true; }
+    double worstDist() const { return reach; }
+    bool addPoint(double distance, Eigen::Index i) {
+      if (distance < reach) removed[i] = 1;
+      return true;
     }
-    return h & (first_.size() - 1);
-  }
+  };
 
-  bool any_near(Eigen::Index i, const Cell& cell, double reach) const {
-    for (const Cell& step : around()) {
-      for (Eigen::Index k = first_[slot(cell + step)]; k >= 0; k = next_[k]) {
-        if ((points_.col(k) - points_.col(i)).squaredNorm() < reach) return true;
-      }
-    }
-    return false;
-  }
-
-  // The cell itself first, then the others, those that share a face with it before the corners.
-  static const std::vector<Cell>& around() {
-    static const std::vector<Cell> steps = [] {
-      std::vector<Cell> result;
-      for (int i = 0; i < 27; ++i) result.emplace_back(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-      std::stable_sort(result.begin(), result.end(), [](const Cell& a, const Cell& b) {
-        return a.squaredNorm() < b.squaredNorm();
-      });
-      return result;
-    }();
-    return steps;
-  }
-
+  Tree tree_;
   const Eigen::Matrix3Xd& points_;
   std::vector<Eigen::Index> order_;
-  std::vector<Eigen::Index> first_, next_;  // chosen points of each slot, one after another
-  Eigen::Vector3d low_;
-  double extent_ = 0;
+  std::vector<char> removed_;
 };
 
 Eigen::Matrix3Xd pick(const Eigen::Matrix3Xd& points, const std::vector<Eigen::Index>& indices) {
@@ -146,27 +117,31 @@ void thin_out(Eigen::Matrix3Xd& g, int m) {
   g = pick(g, kept);
 }
 
+std::vector<Eigen::Index> all_distinct(Elimination& elimination, int m) {
+  std::vector<Eigen::Index> distinct = elimination.remaining(0);
+  if (static_cast<int>(distinct.size()) >= m) return distinct;
+  throw InputError("graph.nodes is " + std::to_string(m) + ", but the shape has only " +
+                   std::to_string(distinct.size()) + " distinct point" +
+                   (distinct.size() == 1 ? "" : "s") + " to place nodes at");
+}
+
 // Searches the radius at which m points remain. Their number falls about as r⁻² on a surface; that
 // guess is taken while it stays within the bracket, which is halved otherwise.
 Eigen::Matrix3Xd eliminate_to(const Eigen::Matrix3Xd& dense, int m, double guess,
                               std::uint64_t seed) {
   Elimination elimination(dense, seed);
-  std::vector<Eigen::Index> best = elimination.remaining(0);
-  if (static_cast<int>(best.size()) < m) {
-    throw InputError("graph.nodes is " + std::to_string(m) + ", but the shape has only " +
-                     std::to_string(best.size()) + " distinct point" +
-                     (best.size() == 1 ? "" : "s") + " to place nodes at");
-  }
+  std::vector<Eigen::Index> best;  // at least m
   double low = 0, high = std::numeric_limits<double>::infinity(), r = guess;
   for (int pass = 0; pass < kMostPasses && static_cast<int>(best.size()) != m; ++pass) {
-    const auto kept = elimination.remaining(r);
+    auto kept = elimination.remaining(r);
     const int count = static_cast<int>(kept.size());
     (count >= m ? low : high) = r;
-    if (count >= m && count <= static_cast<int>(best.size())) best = kept;
+    if (count >= m && (best.empty() || kept.size() <= best.size())) best = std::move(kept);
     const double scaled = r * std::sqrt(static_cast<double>(count) / m);
     const bool inside = pass < kMostPasses / 4 && scaled > low && scaled < high;
     r = inside ? scaled : std::isinf(high) ? 2 * low : (low + high) / 2;
   }
+  if (best.empty()) best = all_distinct(elimination, m);
   Eigen::Matrix3Xd g = pick(dense, best);
   thin_out(g, m);
   return g;
@@ -181,9 +156,11 @@ Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed) {
                      std::to_string(kMostNodes) + " are possible");
   }
   const Eigen::Matrix3Xi T = triangles(shape);
-  const double surface = areas(shape, T).sum();
+  const Eigen::VectorXd area = areas(shape, T);
+  const double surface = area.sum();
   const int count = std::max(kDensity * m, kFewestDense);
-  const Eigen::Matrix3Xd dense = surface > 0 ? points_on_triangles(shape, T, count, seed) : shape.V;
+  const Eigen::Matrix3Xd dense =
+      surface > 0 ? points_on_triangles(shape, T, area, count, seed) : shape.V;
   const double extent = surface > 0 ? surface : std::pow(bounding_box_diagonal(shape.V), 2);
   return eliminate_to(dense, m, std::sqrt(extent > 0 ? extent / m : 1), seed);
 }
