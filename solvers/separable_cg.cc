@@ -25,7 +25,7 @@ void SeparableCg::compile(const Stage& stage) {
   linearization_->assemble();
   factorize();
   squares_.compile(stage, *linearization_);
-  for (Columns4* block : {&r_, &z_, &p_, &Hp_, &delta_, &D_}) {
+  for (Columns4* block : {&r_, &z_, &p_, &Mp_, &Hp_, &delta_, &D_}) {
     *block = Columns4::Zero(4, linearization_->free_columns());
   }
   for (const auto& part : linearization_->parts()) {
@@ -44,15 +44,15 @@ void SeparableCg::factorize() {
        ridge *= 1000) {  // singular: some motion changes no term
     for (int c = 0; c < A.cols(); ++c) A.valuePtr()[A.outerIndexPtr()[c]] += ridge;
   }
+  remainder_ = linearization_->A() - A;
+  remainder_.prune([](int row, int col, double value) { return row == col || value != 0; });
 }
 
+// H p = M p + (H − M) p. Of M p there is no need for a product, and what remains is sparser than A.
 void SeparableCg::multiply(double damping) {
-  if (damping > 0) {
-    Hp_ = damping * D_.cwiseProduct(p_);
-  } else {
-    Hp_.setZero();
-  }
-  add_product(linearization_->A(), p_, Hp_);
+  Hp_ = Mp_;
+  if (damping > 0) Hp_ += damping * D_.cwiseProduct(p_);
+  add_product(remainder_, p_, Hp_);
   squares_.add_product(p_, Hp_);
   for (const auto& part : linearization_->parts()) {
     if (!part.separable() && !part.square()) multiply_part(part);
@@ -98,12 +98,14 @@ bool SeparableCg::solve(const Eigen::VectorXd& gradient, double damping, Eigen::
   return delta.allFinite();
 }
 
-// Conjugate gradients on H δ = r. False where H turns out not to be positive definite.
+// Conjugate gradients on H δ = r. False where H turns out not to be positive definite. As z is
+// M⁻¹ r, M times a direction p = z + β p comes from r by the same recurrence.
 bool SeparableCg::iterate(double damping, double forcing, int most) {
   delta_.setZero();
   z_ = r_;
   L_.solve(z_);
   p_ = z_;
+  Mp_ = r_;
   double rho = dot(r_, z_);
   const double enough = forcing * forcing * rho;
   measured_ = 0;
@@ -120,6 +122,7 @@ bool SeparableCg::iterate(double damping, double forcing, int most) {
     L_.solve(z_);
     const double before = std::exchange(rho, dot(r_, z_)), beta = rho / before;
     add_to_scaled(z_, beta, p_);
+    add_to_scaled(r_, beta, Mp_);
     if (measured_ < kMostMeasured) {
       diagonal_[measured_] = 1 / alpha + share;
       beside_[measured_++] = std::sqrt(beta) / alpha;

@@ -37,9 +37,10 @@ class SeparableCg final : public StepSolver {
   void multiply_part(const Linearization::Part& part);
 
   std::unique_ptr<Linearization> linearization_;
-  NodeSquares squares_;  // the terms that read one node each
-  ColumnCholesky L_;     // of Ã
-  Columns4 r_, z_, p_, Hp_, delta_, D_;
+  NodeSquares squares_;     // the terms that read one node each
+  ColumnCholesky L_;        // of Ã, which stands in M = Ã ⊗ I_d
+  SparseMatrix remainder_;  // A − Ã, lower triangle
+  Columns4 r_, z_, p_, Mp_, Hp_, delta_, D_;
   // Of the last solve's first iterations: the diagonal and what is beside it of the tridiagonal
   // matrix that has about the eigenvalues of the preconditioned one.
   Eigen::VectorXd diagonal_{kMostMeasured}, beside_{kMostMeasured};
