@@ -30,23 +30,42 @@ Eigen::Matrix3Xd inverse_transposes(const Transformations& X) {
 }
 
 // Σ_j w_j (M_j (v, 1)) for the vertices from begin to end, four coordinates at once, the fourth
-// being zero; every node's M_j is 4×4.
-DEFORMLAB_CLONES
-void blend_points(const double* M, const int* nodes, const double* weights, std::ptrdiff_t k,
-                  const double* v, std::ptrdiff_t begin, std::ptrdiff_t end, double* result) {
+// being zero; every node's M_j is 4×4. Where they are `directions`, they are made unit, and one
+// that vanishes stays as it was.
+template <bool directions>
+inline __attribute__((always_inline)) void blend(const double* M, const int* nodes,
+                                                 const double* weights, std::ptrdiff_t k,
+                                                 const double* v, std::ptrdiff_t begin,
+                                                 std::ptrdiff_t end, double* result) {
   nodes += k * begin, weights += k * begin, v += 3 * begin, result += 3 * begin;
   for (std::ptrdiff_t i = begin; i < end; ++i, nodes += k, weights += k, v += 3, result += 3) {
     Four sum = {};
     for (std::ptrdiff_t a = 0; a < k; ++a) {
       const double* m = M + 16 * std::ptrdiff_t(nodes[a]);
-      Four there = four(m + 12);
+      Four there = directions ? Four{} : Four(four(m + 12));
       there += v[0] * four(m);
       there += v[1] * four(m + 4);
       there += v[2] * four(m + 8);
       sum += weights[a] * there;
     }
+    if (directions) {
+      const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+      sum = length > 0 ? sum * (1 / length) : Four{v[0], v[1], v[2], 0};
+    }
     result[0] = sum[0], result[1] = sum[1], result[2] = sum[2];
   }
+}
+
+DEFORMLAB_CLONES
+void blend_points(const double* M, const int* nodes, const double* weights, std::ptrdiff_t k,
+                  const double* v, std::ptrdiff_t begin, std::ptrdiff_t end, double* result) {
+  blend<false>(M, nodes, weights, k, v, begin, end, result);
+}
+
+DEFORMLAB_CLONES
+void blend_directions(const double* M, const int* nodes, const double* weights, std::ptrdiff_t k,
+                      const double* v, std::ptrdiff_t begin, std::ptrdiff_t end, double* result) {
+  blend<true>(M, nodes, weights, k, v, begin, end, result);
 }
 
 }  // namespace
@@ -93,16 +112,8 @@ void transfer_normals(const Transformations& X, const Eigen::Matrix3Xd& N, const
   }
   result.resize(3, N.cols());
   for_chunks(N.cols(), threads, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    blend_points(M.data(), e.nodes.data(), e.weights.data(), e.nodes.rows(), N.data(), begin, end,
-                 result.data());
-    for (std::ptrdiff_t i = begin; i < end; ++i) {
-      const double length = result.col(i).norm();
-      if (length > 0) {
-        result.col(i) /= length;
-      } else {
-        result.col(i) = N.col(i);
-      }
-    }
+    blend_directions(M.data(), e.nodes.data(), e.weights.data(), e.nodes.rows(), N.data(), begin,
+                     end, result.data());
   });
 }
 
