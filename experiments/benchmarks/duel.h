@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,6 @@ std::vector<Duel> duels(int nodes, int repetitions);
 /// figure was measured with.
 std::string to_markdown(const std::vector<Duel>& all);
 /// The same with all figures.
-std::string to_json(const std::vector<Duel>& all);
+nlohmann::ordered_json to_json(const std::vector<Duel>& all);
 
 }  // namespace deformlab

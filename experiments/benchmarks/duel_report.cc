@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/benchmarks/duel.h"
-#include "experiments/environment.h"
 
 namespace deformlab {
 namespace {
@@ -71,9 +70,8 @@ std::string to_markdown(const std::vector<Duel>& all) {
   return text;
 }
 
-std::string to_json(const std::vector<Duel>& all) {
+nlohmann::ordered_json to_json(const std::vector<Duel>& all) {
   nlohmann::ordered_json json;
-  json["environment"] = environment();
   for (const Duel& d : all) {
     nlohmann::ordered_json cell = {{"row", d.row}, {"nodes", d.nodes}, {"ratio", d.ratio()}};
     if (d.target > 0) cell["target"] = d.target;
@@ -87,9 +85,9 @@ std::string to_json(const std::vector<Duel>& all) {
                       {"steps", d.their_steps},
                       {"cost", d.their_cost},
                       {"ms", d.their_ms}};
-    json["duels"].push_back(cell);
+    json.push_back(cell);
   }
-  return json.dump(2) + "\n";
+  return json;
 }
 
 }  // namespace deformlab

@@ -7,16 +7,6 @@
 namespace deformlab {
 namespace {
 
-// The slope of log time over log nodes.
-double exponent(const std::vector<std::pair<double, double>>& points) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const auto& [nodes, time] : points) {
-    const double u = std::log(nodes), v = std::log(time);
-    n += 1, x += u, y += v, xx += u * u, xy += u * v;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
-}
-
 std::string big_o(benchmark::BigO complexity) {
   switch (complexity) {
     case benchmark::o1:
@@ -47,6 +37,15 @@ std::string text(double value, const char* pattern) {
 }
 
 }  // namespace
+
+double exponent(const std::vector<std::pair<double, double>>& points) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const auto& [nodes, time] : points) {
+    const double u = std::log(nodes), v = std::log(time);
+    n += 1, x += u, y += v, xx += u * u, xy += u * v;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
 
 void GrowthReporter::ReportRuns(const std::vector<Run>& runs) {
   ConsoleReporter::ReportRuns(runs);

@@ -4,17 +4,21 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace deformlab {
+
+/// The exponent p of time ~ nodes^p by least squares in log-log, of (nodes, time).
+double exponent(const std::vector<std::pair<double, double>>& points);
 
 /// Prints what Google Benchmark's console does, and keeps the figures for the report.
 class GrowthReporter final : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// A Markdown table of all runs, and one of the fitted growth of each family: the exponent p of
-  /// time ~ nodes^p by least squares in log-log, beside what Google Benchmark fits.
+  /// A Markdown table of all runs, and one of the fitted growth of each family: the exponent beside
+  /// what Google Benchmark fits.
   std::string to_markdown() const;
 
  private:

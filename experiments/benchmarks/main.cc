@@ -3,8 +3,10 @@
 #include <dlfcn.h>
 #include <gflags/gflags.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -14,6 +16,7 @@
 #include "experiments/benchmarks/duel.h"
 #include "experiments/benchmarks/growth.h"
 #include "experiments/benchmarks/rigid_comparison.h"
+#include "experiments/benchmarks/scaling.h"
 #include "experiments/environment.h"
 #include "experiments/results.h"
 #include "geometry/error.h"
@@ -23,7 +26,12 @@ DEFINE_string(comparison, "auto",
 DEFINE_int32(repetitions, 5, "of each pair in the comparison");
 DEFINE_string(duels, "auto", "the table of speeds: yes, no, or auto: unless a filter is given");
 DEFINE_string(duel_nodes, "222,425,1048,4000", "graph sizes of that table");
-DEFINE_string(json, "", "write the table of speeds into this JSON file");
+DEFINE_string(scaling, "auto", "growth and a million vertices: yes, no, or auto: unless filtered");
+DEFINE_string(scaling_nodes, "100,320,1000,3200,10000,32000", "graph sizes of the growth");
+DEFINE_int32(scaling_side, 401, "vertices along a side of the plane that they are on");
+DEFINE_string(large_nodes, "10000,20000", "graph sizes of the large plane");
+DEFINE_int32(large_side, 1000, "vertices along its side");
+DEFINE_string(json, "", "write the table of speeds, growth and transfer into this JSON file");
 DEFINE_string(report, "", "write all figures into this Markdown file");
 
 namespace deformlab {
@@ -71,20 +79,41 @@ std::string compare_rigid_shapes(bool& holds) {
   return text;
 }
 
-std::string duel_all() {
+std::vector<int> sizes(const std::string& list) {
+  std::vector<int> result;
+  std::stringstream text(list);
+  for (std::string nodes; std::getline(text, nodes, ',');) result.push_back(std::stoi(nodes));
+  return result;
+}
+
+std::string duel_all(nlohmann::ordered_json& json) {
   std::vector<Duel> all;
-  std::stringstream sizes(FLAGS_duel_nodes);
-  for (std::string nodes; std::getline(sizes, nodes, ',');) {
-    const std::vector<Duel> more = duels(std::stoi(nodes), FLAGS_repetitions);
+  for (const int nodes : sizes(FLAGS_duel_nodes)) {
+    const std::vector<Duel> more = duels(nodes, FLAGS_repetitions);
     all.insert(all.end(), more.begin(), more.end());
     std::cout << to_markdown(more) << "\n" << std::flush;
-    if (!FLAGS_json.empty()) write_text(FLAGS_json, to_json(all));
   }
+  json["duels"] = to_json(all);
   return to_markdown(all);
 }
 
+std::string scale_all(nlohmann::ordered_json& json) {
+  std::vector<Scale> growing, large;
+  const int repetitions = std::min(FLAGS_repetitions, 3);  // the largest take seconds
+  for (const int nodes : sizes(FLAGS_scaling_nodes)) {
+    growing.push_back(scale(FLAGS_scaling_side, nodes, repetitions));
+  }
+  for (const int nodes : sizes(FLAGS_large_nodes)) {
+    large.push_back(scale(FLAGS_large_side, nodes, repetitions));
+  }
+  json["scaling"] = to_json(growing, large);
+  const std::string text = to_markdown(growing, large);
+  std::cout << text << "\n" << std::flush;
+  return text;
+}
+
 std::string report(const std::string& figures, const std::string& comparisons,
-                   const std::string& rigid, const std::string& speeds) {
+                   const std::string& rigid, const std::string& speeds, const std::string& scales) {
   return "# Benchmarks\n\nWritten by `./deformlab bench --report=results/benchmarks.md`. Ratios "
          "mean something on another machine, milliseconds do not.\n\n" +
          context() +
@@ -92,6 +121,10 @@ std::string report(const std::string& figures, const std::string& comparisons,
          "in turns, one thread. From rest, compilation and Ceres' preprocessing are counted; of a "
          "drag nothing but the update, on a problem that Ceres keeps too.\n\n" +
          speeds +
+         "\n## Growth, and a million vertices\n\nA bumpy plane, deformed as the reference scene "
+         "is, "
+         "by the default solver on one thread; medians, but of the registration.\n\n" +
+         scales +
          "\n## A step against Ceres\n\nThe reference scene: a bumpy plane of 201×201 vertices, "
          "4,020 handles, one strip lifted at once. Both solvers minimise the same terms from rest "
          "and stop by the same rule, in turns, on one thread. A step is the mean of a solve's: "
@@ -110,7 +143,10 @@ void print_help() {
                "          [--repetitions=<pairs of solves>]\n"
                "          [--duels=auto|yes|no] the table of speeds (auto: unless filtered)\n"
                "          [--duel_nodes=222,425,1048,4000] its graph sizes\n"
-               "          [--json=<JSON file>] of the table\n"
+               "          [--scaling=auto|yes|no] growth and a million vertices\n"
+               "          [--scaling_nodes=100,320,1000,3200,10000,32000] [--scaling_side=401]\n"
+               "          [--large_nodes=10000,20000] [--large_side=1000]\n"
+               "          [--json=<JSON file>] of the table and the growth\n"
                "          [--report=<Markdown file>]\n";
 }
 
@@ -122,12 +158,19 @@ int run(bool filtered) {
   const std::string figures = reporter.to_markdown();
   std::cout << "\n" << figures << "\n" << std::flush;
   bool holds = true;
-  std::string comparisons, rigid, speeds;
-  if (FLAGS_duels == "yes" || (FLAGS_duels == "auto" && !filtered)) speeds = duel_all();
-  const bool all = FLAGS_comparison == "yes" || (FLAGS_comparison == "auto" && !filtered);
+  std::string comparisons, rigid, speeds, scales;
+  const auto asked = [&](const std::string& flag) {
+    return flag == "yes" || (flag == "auto" && !filtered);
+  };
+  nlohmann::ordered_json json{{"environment", environment()}};
+  if (asked(FLAGS_duels)) speeds = duel_all(json);
+  if (asked(FLAGS_scaling)) scales = scale_all(json);
+  if (!FLAGS_json.empty()) write_text(FLAGS_json, json.dump(2) + "\n");
+  const bool all = asked(FLAGS_comparison);
   if (all || FLAGS_comparison == "rigid") rigid = compare_rigid_shapes(holds);
   if (all) comparisons = compare_all(holds);
-  if (!FLAGS_report.empty()) write_text(FLAGS_report, report(figures, comparisons, rigid, speeds));
+  if (!FLAGS_report.empty())
+    write_text(FLAGS_report, report(figures, comparisons, rigid, speeds, scales));
   return holds ? 0 : 1;
 }
 

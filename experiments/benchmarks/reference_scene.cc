@@ -9,22 +9,24 @@
 namespace deformlab {
 namespace {
 
-constexpr int kSide = 201, kStrip = 10;
+constexpr int kSide = 201;
+constexpr int kStrips = 20;  // as wide as a handle's, over the whole side
 
-ReferenceScene make_scene() {
-  ReferenceScene scene{bumpy_plane(kSide), {}, {}};
-  for (int i = 0; i < kSide * kSide; ++i) {
-    const int x = i % kSide;
-    if (x < kStrip || x >= kSide - kStrip) scene.handles.moved.push_back(i);
+}  // namespace
+
+ReferenceScene lifted_plane(int n) {
+  ReferenceScene scene{bumpy_plane(n), {}, {}};
+  const int strip = n / kStrips;
+  for (int i = 0; i < n * n; ++i) {
+    const int x = i % n;
+    if (x < strip || x >= n - strip) scene.handles.moved.push_back(i);
   }
   scene.targets = scene.shape.V(Eigen::all, scene.handles.moved);
   for (std::size_t l = 0; l < scene.handles.moved.size(); ++l) {
-    if (scene.handles.moved[l] % kSide >= kStrip) scene.targets(2, l) += 0.5;
+    if (scene.handles.moved[l] % n >= strip) scene.targets(2, l) += 0.5;
   }
   return scene;
 }
-
-}  // namespace
 
 Shape bumpy_plane(int n) {
   Shape shape;
@@ -42,7 +44,7 @@ Shape bumpy_plane(int n) {
 }
 
 const ReferenceScene& reference_scene() {
-  static const ReferenceScene scene = make_scene();
+  static const ReferenceScene scene = lifted_plane(kSide);
   return scene;
 }
 

@@ -14,6 +14,8 @@ struct ReferenceScene {
   Eigen::Matrix3Xd targets;  ///< 3×#moved [length]
 };
 
+/// n×n vertices, strips of a twentieth of the columns.
+ReferenceScene lifted_plane(int n);
 /// 201×201 vertices, strips of ten columns: 4,020 handles.
 const ReferenceScene& reference_scene();
 
