@@ -10,6 +10,8 @@ void DirectSteps::compile(const Stage& stage) {
   equations_ = std::make_unique<NormalEquations>(stage);
   const int n = equations_->unknowns();
   if (n == 0) return;
+  // Ordered by columns of X. By nodes, or with the columns of R eliminated before those of t, the
+  // factor fills more: 3.4 and 1.2 times as much at 1,048 nodes of the reference scene.
   equations_->reorder(solver_->order(equations_->H(), stage.x.dimension()));
   solver_->analyze(equations_->H());
   damped_ = equations_->H();
