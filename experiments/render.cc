@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/parallel.h"
 #include "experiments/ray_scene.h"
 #include "experiments/surface.h"
 #include "geometry/error.h"
+#include "geometry/workers.h"
 
 namespace deformlab {
 namespace {
@@ -196,8 +196,9 @@ Image render(const Panel& panel, const View& view, const RenderOptions& options)
                      " samples: at least 1 is needed");
   Image image(options.width, options.height);
   const Scene scene(panel, view, options.light);
-  parallel_for(image.height, options.threads,
-               [&](int y) { render_row(scene, y, options.samples, image); });
+  Workers(options.threads).each(image.height, [&](int y) {
+    render_row(scene, y, options.samples, image);
+  });
   return image;
 }
 

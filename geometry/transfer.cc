@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "geometry/chunks.h"
 #include "geometry/clones.h"
 #include "geometry/four.h"
+#include "geometry/workers.h"
 
 namespace deformlab {
 namespace {

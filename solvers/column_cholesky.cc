@@ -288,17 +288,84 @@ bool ColumnCholesky::compute(const SparseMatrix& lower) {
   return w.smallest > kSingularRatio * w.largest;
 }
 
-bool ColumnCholesky::factorize(const SparseMatrix& lower) {
-  find_panels(lower);
-  sort_rows(static_cast<int>(lower.cols()));
-  place_values();
-  return compute(lower);
+// Finds the branches, and lets their rows above them point to where they are kept apart.
+void ColumnCholesky::branch_out() {
+  std::vector<int> panel_of(n_), parent, column(n_, -1);
+  std::vector<std::size_t> work;
+  for (std::size_t p = 0; p < panels_.size(); ++p) {
+    std::fill_n(panel_of.begin() + panels_[p].first, panels_[p].width, static_cast<int>(p));
+  }
+  for (const Panel& panel : panels_) {
+    parent.push_back(panel.rows > 0 ? panel_of[rows_[panel.index]] : -1);
+    work.push_back(std::size_t(panel.rows + panel.width) * panel.width);
+  }
+  branches_ = find_branches(parent, work);
+  top_.clear();
+  for (const auto [begin, end] : branches_.top) {
+    for (int p = begin; p < end && !branches_.branches.empty(); ++p) {
+      for (int c = 0; c < panels_[p].width; ++c) {
+        column[panels_[p].first + c] = static_cast<int>(top_.size());
+        top_.push_back(panels_[p].first + c);
+      }
+    }
+  }
+  int apart = static_cast<int>(n_);
+  for (const auto& branch : branches_.branches) {
+    for (const auto [begin, end] : branch) {
+      for (std::size_t i = panels_[begin].index; i < panels_[end - 1].index + panels_[end - 1].rows;
+           ++i) {
+        if (column[rows_[i]] >= 0) rows_[i] = apart + column[rows_[i]];
+      }
+    }
+    apart += static_cast<int>(top_.size());
+  }
+  z_ = Columns4::Zero(4, apart);
 }
 
-void ColumnCholesky::solve(Columns4& z) const {
-  const Panel *begin = panels_.data(), *end = begin + panels_.size();
-  forward_all(begin, end, rows_.data(), values_.data(), z.data());
-  backward_all(begin, end, rows_.data(), values_.data(), z.data());
+bool ColumnCholesky::factorize(const SparseMatrix& lower) {
+  n_ = lower.cols();
+  find_panels(lower);
+  sort_rows(static_cast<int>(n_));
+  place_values();
+  if (!compute(lower)) return false;
+  branch_out();
+  return true;
+}
+
+void ColumnCholesky::forward(const std::vector<FactorBranches::Range>& ranges) {
+  for (const auto [begin, end] : ranges) {
+    forward_all(panels_.data() + begin, panels_.data() + end, rows_.data(), values_.data(),
+                z_.data());
+  }
+}
+
+void ColumnCholesky::backward(const std::vector<FactorBranches::Range>& ranges) {
+  for (auto range = ranges.rbegin(); range != ranges.rend(); ++range) {
+    backward_all(panels_.data() + range->begin, panels_.data() + range->end, rows_.data(),
+                 values_.data(), z_.data());
+  }
+}
+
+void ColumnCholesky::solve(const Columns4& b, Columns4& z, Workers& workers) {
+  const auto& branches = branches_.branches;
+  const auto count = static_cast<int>(branches.size());
+  z_.leftCols(n_) = b;
+  z_.rightCols(z_.cols() - n_).setZero();
+  workers.each(count, [&](int i) { forward(branches[i]); });
+  for (int i = 0; i < count; ++i) {
+    for (std::size_t t = 0; t < top_.size(); ++t) {
+      four(at(z_.data(), top_[t])) += four(at(apart(i), t));
+    }
+  }
+  forward(branches_.top);
+  backward(branches_.top);
+  workers.each(count, [&](int i) {
+    for (std::size_t t = 0; t < top_.size(); ++t) {
+      four(at(apart(i), t)) = four(at(z_.data(), top_[t]));
+    }
+    backward(branches[i]);
+  });
+  z = z_.leftCols(n_);
 }
 
 }  // namespace deformlab

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/workers.h"
 #include "solvers/columns4.h"
+#include "solvers/factor_branches.h"
 
 namespace deformlab {
 
@@ -16,8 +18,9 @@ class ColumnCholesky {
   /// (column_order) and which has every entry of its diagonal. False where it is singular in double
   /// precision or not positive definite.
   bool factorize(const SparseMatrix& lower);
-  /// z ← A⁻¹ z by the last factorization, which must have succeeded. Allocates nothing.
-  void solve(Columns4& z) const;
+  /// z = A⁻¹ b by the last factorization, which must have succeeded. Large factors are solved with
+  /// branch by branch, in the same way however many workers there are.
+  void solve(const Columns4& b, Columns4& z, Workers& workers);
   /// Entries of the panels.
   long nonzeros() const { return static_cast<long>(values_.size()); }
 
@@ -37,11 +40,21 @@ class ColumnCholesky {
   void load(const SparseMatrix& lower, const Panel& panel, Workspace& w) const;
   void subtract(int q, const Panel& panel, Workspace& w) const;
   bool finish(const Panel& panel, Workspace& w);
+  void branch_out();
+  double* apart(std::size_t branch) { return z_.data() + 4 * (n_ + branch * top_.size()); }
+  void forward(const std::vector<FactorBranches::Range>& ranges);
+  void backward(const std::vector<FactorBranches::Range>& ranges);
 
   std::vector<Panel> panels_;
   std::vector<int> rows_;
   // Of each panel its lower triangle row by row, with the inverse of the diagonal, then the rows.
   std::vector<double> values_;
+  // What branches add to the columns above them is kept apart, one copy of these a branch, behind
+  // the n columns of a right-hand side: there a branch's rows_ point.
+  FactorBranches branches_;
+  std::vector<int> top_;
+  std::size_t n_ = 0;
+  Columns4 z_;
 };
 
 }  // namespace deformlab

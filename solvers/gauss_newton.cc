@@ -298,7 +298,7 @@ Summary GaussNewton::finish(const Stage& stage, Status status, std::string messa
   summary_.choice = choice_.reason;
   summary_.globalization = options_.globalization;
   summary_.blas = blas_name();
-  summary_.threads = choice_.name == "cholmod" ? options_.threads : 1;
+  summary_.threads = choice_.name == "eigen_ldlt" ? 1 : options_.threads;
   return summary_;
 }
 

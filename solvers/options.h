@@ -50,7 +50,8 @@ struct SolverOptions {
                  "of ceres: what its parameter blocks are");
     visit("epsilon", o.epsilon, "of the three conditions of Eq. 12");
     visit("max_iterations", o.max_iterations, "steps at most");
-    visit("threads", o.threads, "of the transfer, CHOLMOD and ceres; conjugate gradients use one");
+    visit("threads", o.threads,
+          "of the solver and the transfer; they do not change the result, but for Ceres' rounding");
   }
 };
 

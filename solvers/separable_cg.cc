@@ -102,8 +102,7 @@ bool SeparableCg::solve(const Eigen::VectorXd& gradient, double damping, Eigen::
 // M⁻¹ r, M times a direction p = z + β p comes from r by the same recurrence.
 bool SeparableCg::iterate(double damping, double forcing, int most) {
   delta_.setZero();
-  z_ = r_;
-  L_.solve(z_);
+  L_.solve(r_, z_, workers_);
   p_ = z_;
   Mp_ = r_;
   double rho = dot(r_, z_);
@@ -118,8 +117,7 @@ bool SeparableCg::iterate(double damping, double forcing, int most) {
     const double alpha = rho / curvature;
     add_scaled(alpha, p_, delta_);
     add_scaled(-alpha, Hp_, r_);
-    z_ = r_;
-    L_.solve(z_);
+    L_.solve(r_, z_, workers_);
     const double before = std::exchange(rho, dot(r_, z_)), beta = rho / before;
     add_to_scaled(z_, beta, p_);
     add_to_scaled(r_, beta, Mp_);

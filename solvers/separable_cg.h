@@ -16,6 +16,8 @@ namespace deformlab {
 /// takes all d coordinates of a column at once.
 class SeparableCg final : public StepSolver {
  public:
+  explicit SeparableCg(int threads = 1) : workers_(threads) {}
+
   void compile(const Stage& stage) override;
   Linearization& linearization() override { return *linearization_; }
   /// Stops where the preconditioned residual has fallen to kForcing of its start.
@@ -36,6 +38,7 @@ class SeparableCg final : public StepSolver {
   void multiply(double damping);
   void multiply_part(const Linearization::Part& part);
 
+  Workers workers_;
   std::unique_ptr<Linearization> linearization_;
   NodeSquares squares_;     // the terms that read one node each
   ColumnCholesky L_;        // of Ã, which stands in M = Ã ⊗ I_d

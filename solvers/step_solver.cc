@@ -26,7 +26,7 @@ Choice choose_step_solver(const Stage& stage) {
 }
 
 std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads) {
-  if (name == "separable_cg") return std::make_unique<SeparableCg>();
+  if (name == "separable_cg") return std::make_unique<SeparableCg>(threads);
   return std::make_unique<DirectSteps>(make_linear_solver(name, threads));
 }
 

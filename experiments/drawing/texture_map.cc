@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "experiments/drawing/rim.h"
-#include "experiments/parallel.h"
 #include "geometry/error.h"
+#include "geometry/workers.h"
 
 namespace deformlab {
 namespace {
@@ -160,7 +160,7 @@ Bitmap TextureMap::draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
                       corners(rim_rest_.V, rim_rest_.F, f),
                       depth_of(rim_.triangle(rim_rest_.F(0, f))), true});
   const auto bands = by_band(pieces, box.height);
-  parallel_for(static_cast<int>(bands.size()), 0, [&](int band) {
+  Workers(0).each(static_cast<int>(bands.size()), [&](int band) {
     const int top = band * kBand, rows = std::min(kBand, box.height - top);
     draw_band(texture_, pieces, bands[static_cast<std::size_t>(band)], {0, top, box.width, rows},
               out);

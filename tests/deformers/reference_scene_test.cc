@@ -70,7 +70,8 @@ TEST_P(Reference, TheDefaultArrives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sides, Reference,
-                         ::testing::Combine(::testing::Values(221, 425), ::testing::Values(2, 20)));
+                         ::testing::Combine(::testing::Values(221, 425, 1048),
+                                            ::testing::Values(2, 20)));
 
 TEST(ReferenceScene, ConjugateGradientsFindTheMinimumOfAFactorization) {
   const Scene scene = lifted_plane(1);
@@ -79,6 +80,31 @@ TEST(ReferenceScene, ConjugateGradientsFindTheMinimumOfAFactorization) {
     const Summary s = solve(scene, nodes, "mean_edge", "auto", "accelerated");
     EXPECT_EQ(s.linear_solver, "separable_cg");
     EXPECT_NEAR(s.final_cost, direct.final_cost, 1e-6 * direct.final_cost) << nodes;
+  }
+}
+
+// Large enough that the factor of conjugate gradients has branches, and that the shape is
+// transferred in pieces.
+TEST(ReferenceScene, TheBytesDoNotDependOnTheThreads) {
+  const Scene scene = lifted_plane(1);
+  for (const auto& [method, linear_solver] :
+       {std::pair("gauss_newton", "separable_cg"), std::pair("gauss_newton", "cholmod"),
+        std::pair("ceres", "auto")}) {
+    EmbeddedDeformationOptions options;
+    options.graph.nodes = 1500;
+    options.solver.method = method;
+    options.solver.linear_solver = linear_solver;
+    const auto deform = [&](int threads) {
+      options.solver.threads = threads;
+      EmbeddedDeformation deformation(scene.shape, options);
+      deformation.compile(scene.handles);
+      EXPECT_EQ(deformation.update(scene.targets).solve.threads, threads);
+      return deformation.deformed().V;
+    };
+    const Eigen::Matrix3Xd one = deform(1), two = deform(2);
+    const double apart = (one - two).cwiseAbs().maxCoeff();
+    // Ceres sums the gradient thread by thread, and so rounds it otherwise.
+    EXPECT_LE(apart, options.solver.method == "ceres" ? 1e-12 : 0) << linear_solver;
   }
 }
 

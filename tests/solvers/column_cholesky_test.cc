@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <functional>
 #include <random>
 
 namespace deformlab::test {
@@ -40,13 +42,103 @@ TEST(ColumnCholesky, SolvesAsADenseFactorDoes) {
       const SparseMatrix lower = random_lower(n, entries, n + entries);
       ColumnCholesky factor;
       ASSERT_TRUE(factor.factorize(lower)) << n << " " << entries;
-      Columns4 z = Columns4::Random(4, n);
-      const Columns4 expected = dense(lower).llt().solve(z.transpose()).transpose();
-      factor.solve(z);
+      const Columns4 b = Columns4::Random(4, n);
+      const Columns4 expected = dense(lower).llt().solve(b.transpose()).transpose();
+      Columns4 z;
+      Workers workers;
+      factor.solve(b, z, workers);
       EXPECT_LT((z - expected).norm(), 1e-11 * expected.norm()) << n << " " << entries;
       EXPECT_GE(factor.nonzeros(), lower.nonZeros());
     }
   }
+}
+
+/// Springs between neighbours on a square of side², numbered by halving it again and again: a
+/// factor with branches.
+SparseMatrix grid_lower(int side) {
+  std::vector<int> number(side * side, -1);
+  int next = 0;
+  const std::function<void(int, int, int, int)> halve = [&](int x0, int x1, int y0, int y1) {
+    if (x0 >= x1 || y0 >= y1) return;
+    const bool across = x1 - x0 > y1 - y0;
+    const int middle = across ? (x0 + x1) / 2 : (y0 + y1) / 2;
+    halve(x0, across ? middle : x1, y0, across ? y1 : middle);
+    halve(across ? middle + 1 : x0, x1, across ? y0 : middle + 1, y1);
+    for (int x = across ? middle : x0; x < (across ? middle + 1 : x1); ++x) {
+      for (int y = across ? y0 : middle; y < (across ? y1 : middle + 1); ++y) {
+        number[y * side + x] = next++;
+      }
+    }
+  };
+  halve(0, side, 0, side);
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (int i = 0; i < side * side; ++i) {
+    triplets.emplace_back(number[i], number[i], 4.1);
+    for (const int j : {i + 1, i + side}) {
+      if (j >= side * side || (j == i + 1 && j % side == 0)) continue;
+      const int a = number[i], b = number[j];
+      triplets.emplace_back(std::max(a, b), std::min(a, b), -1);
+    }
+  }
+  SparseMatrix lower(side * side, side * side);
+  lower.setFromTriplets(triplets.begin(), triplets.end());
+  return lower;
+}
+
+TEST(ColumnCholesky, SolvesBranchByBranchToTheSameBytesOnAnyNumberOfThreads) {
+  const SparseMatrix lower = grid_lower(150);
+  ColumnCholesky factor;
+  ASSERT_TRUE(factor.factorize(lower));
+  ASSERT_GT(factor.nonzeros(), 400000);  // enough to be shared out
+  const Columns4 b = Columns4::Random(4, lower.cols());
+  Columns4 one, two, three, product = Columns4::Zero(4, lower.cols());
+  Workers first(1), second(2), third(3);
+  factor.solve(b, one, first);
+  factor.solve(b, two, second);
+  factor.solve(b, three, third);
+  EXPECT_TRUE(one == two);
+  EXPECT_TRUE(one == three);
+  add_product(lower, one, product);
+  EXPECT_LT((product - b).norm(), 1e-12 * b.norm());
+}
+
+TEST(FactorBranches, AreDisjointSubtreesOfAboutEqualWorkBelowTheTop) {
+  constexpr int kLeaves = 256;  // of a binary tree in postorder
+  std::vector<int> parent;
+  const std::function<int(int)> grow = [&](int leaves) {
+    std::vector<int> children;
+    if (leaves > 1) children = {grow(leaves / 2), grow(leaves / 2)};
+    const auto root = static_cast<int>(parent.size());
+    parent.push_back(-1);
+    for (const int child : children) parent[child] = root;
+    return root;
+  };
+  grow(kLeaves);
+  const auto n = static_cast<int>(parent.size());
+  EXPECT_TRUE(find_branches(parent, std::vector<std::size_t>(n, 1)).branches.empty());
+  const FactorBranches found = find_branches(parent, std::vector<std::size_t>(n, 10000));
+  std::vector<int> branch_of(n, -1), size;
+  for (const auto& branch : found.branches) {
+    size.push_back(0);
+    for (const auto [begin, end] : branch) {
+      for (int i = begin; i < end; ++i) {
+        EXPECT_EQ(branch_of[i], -1);
+        branch_of[i] = static_cast<int>(size.size()) - 1;
+        ++size.back();
+      }
+    }
+  }
+  for (const auto [begin, end] : found.top) {
+    for (int i = begin; i < end; ++i) EXPECT_EQ(branch_of[i], -1);
+  }
+  for (int i = 0; i + 1 < n; ++i) {
+    if (branch_of[parent[i]] >= 0) {
+      EXPECT_EQ(branch_of[i], branch_of[parent[i]]);
+    }
+  }
+  ASSERT_FALSE(size.empty());
+  EXPECT_GT(std::ranges::min(size), n / 5);
+  EXPECT_LT(std::ranges::max(size), n / 3);
 }
 
 TEST(ColumnCholesky, RefusesWhatIsSingularOrIndefinite) {

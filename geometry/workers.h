@@ -1,0 +1,48 @@
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace deformlab {
+
+/// Threads that share out pieces of work. What the pieces are must not depend on how many threads
+/// there are: then the results do not either. With one thread it is a loop that allocates nothing.
+class Workers {
+ public:
+  explicit Workers(int threads = 1) : threads_(threads), arena_(std::max(threads, 1)) {}
+
+  int threads() const { return threads_; }
+
+  /// Calls work(0) … work(count − 1), each once, in no particular order. The calls must not depend
+  /// on each other.
+  template <class Work>
+  void each(int count, const Work& work) {
+    if (threads_ <= 1 || count <= 1) {
+      for (int i = 0; i < count; ++i) work(i);
+    } else {
+      arena_.execute([&] { tbb::parallel_for(0, count, work, tbb::simple_partitioner()); });
+    }
+  }
+
+ private:
+  int threads_;
+  tbb::task_arena arena_;
+};
+
+/// Calls work(begin, end) for consecutive pieces of 0 … count − 1, one a thread where they are long
+/// enough. The pieces must not depend on each other.
+template <class Work>
+void for_chunks(std::ptrdiff_t count, int threads, const Work& work) {
+  constexpr std::ptrdiff_t kFewest = 4096;  // not worth a thread
+  const auto pieces =
+      static_cast<int>(std::clamp<std::ptrdiff_t>(count / kFewest, 1, std::max(threads, 1)));
+  if (pieces == 1) return work(std::ptrdiff_t{0}, count);
+  Workers(pieces).each(pieces, [&](std::ptrdiff_t piece) {
+    work(count * piece / pieces, count * (piece + 1) / pieces);
+  });
+}
+
+}  // namespace deformlab
