@@ -26,7 +26,7 @@ struct SolverOptions {
   std::string ceres_blocks = "column";
   double epsilon = 1e-6;  ///< ε of Eq. 12
   int max_iterations = 100;
-  /// That the transfer, CHOLMOD and ceres may use; conjugate gradients run on one.
+  /// Of the solver and the transfer. The result does not depend on them, but for Ceres' rounding.
   int threads = 1;
 
   template <class Self, class Visit>
