@@ -47,16 +47,24 @@ Embedding scaled(Embedding embedding, double factor) {
   return embedding;
 }
 
-void check_energies(const std::map<std::string, double>& weights) {
+void check_name(const std::string& energy) {
   const auto& known = known_energies();
-  for (const auto& [name, weight] : weights) {
-    const bool found =
-        std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == name; });
-    if (!found) make_energy(name, {}, {});  // says which names there are
+  const bool found =
+      std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == energy; });
+  if (!found) make_energy(energy, {}, {});  // says which names there are
+}
+
+void check_energies(const EmbeddedDeformationOptions& options) {
+  for (const auto& [name, weight] : options.energies) {
+    check_name(name);
     if (!(weight >= 0 && std::isfinite(weight))) {
       throw InputError("energies." + name + " is " + std::to_string(weight) +
                        "; a weight is a number of 0 or more");
     }
+  }
+  for (const auto& [name, loss] : options.losses) {
+    check_name(name);
+    make_loss(loss, "losses." + name);
   }
 }
 
@@ -79,7 +87,7 @@ void check_reflections(const std::string& name) {
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check_energies(options_.energies);
+  check_energies(options_);
   check_dimension(options_.dimension, rest_);
   check_reflections(options_.reflections);
   register_graph(build_graph(rest_, options_.graph, cuts));
@@ -89,7 +97,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
                                          const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check_energies(options_.energies);
+  check_energies(options_);
   check_dimension(options_.dimension, rest_);
   check_reflections(options_.reflections);
   register_graph(build_graph(rest_, nodes, options_.graph, cuts));
@@ -98,7 +106,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
                                          const EmbeddedDeformationOptions& options)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check_energies(options_.energies);
+  check_energies(options_);
   check_dimension(options_.dimension, rest_);
   register_graph(build_graph(rest_, std::move(graph), options_.graph));
 }
@@ -197,8 +205,12 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   for (const EnergyInfo& info : known_energies()) {
     const auto named = options_.energies.find(info.name);
     const double weight = named != options_.energies.end() ? named->second : info.default_weight;
-    if (weight > 0)
-      stage_.terms.push_back({make_energy(info.name, graph, embedded, options_.dimension), weight});
+    if (weight <= 0) continue;
+    const auto robust = options_.losses.find(info.name);
+    stage_.terms.push_back({make_energy(info.name, graph, embedded, options_.dimension), weight,
+                            robust == options_.losses.end()
+                                ? nullptr
+                                : make_loss(robust->second, "losses." + info.name)});
   }
   solver_->compile(stage_);
 }

@@ -10,6 +10,7 @@
 #include "geometry/deformation_graph.h"
 #include "geometry/graph_build.h"
 #include "geometry/transfer.h"
+#include "solvers/loss.h"
 #include "solvers/solver.h"
 
 namespace deformlab {
@@ -18,6 +19,9 @@ namespace deformlab {
 struct EmbeddedDeformationOptions {
   GraphOptions graph;
   std::map<std::string, double> energies;  ///< weight w of each term; one not named has its default
+  /// ρ of a term, by its name; one not named has none. Handles that cannot all be met (wrong
+  /// targets among right ones) are what it is for; the paper has no such thing.
+  std::map<std::string, LossOptions> losses;
   /// E_rot has no unit, E_reg and E_con are lengths²: their balance depends on what a length is
   /// measured in. "mean_edge", the mean edge of the graph, makes the result independent of the
   /// shape's unit; a number is that many of the shape's own (1: the formula as printed).
@@ -35,6 +39,7 @@ struct EmbeddedDeformationOptions {
   static void fields(Self& o, Visit&& visit) {
     visit("graph", o.graph, "the deformation graph");
     visit("energies", o.energies, "weight of each energy term; one not named has its default");
+    visit("losses", o.losses, "of energy terms: less pull of residuals that cannot become small");
     visit("length_unit", o.length_unit, "mean_edge, or a number in the shape's own unit");
     visit("dimension", o.dimension, "3, or 2 for a shape in the plane, such as a drawing");
     visit.choice("reflections", o.reflections, {"report", "repair"},

@@ -29,11 +29,13 @@
 /// `visit.required(...)` is a field that a config must give. From the description follow
 /// read_config, to_node (and with to_yaml the resolved config) and describe.
 /// A field may be bool, int, std::uint64_t, double, std::string, std::filesystem::path,
-/// Eigen::Vector3d, std::map<std::string, double>, ConfigNode (kept raw), a struct with fields, or
-/// a std::vector or std::optional of these; `choice` takes a std::string or an enumeration.
+/// Eigen::Vector3d, std::map<std::string, double>, ConfigNode (kept raw), a struct with fields, a
+/// std::map of such structs by name, or a std::vector or std::optional of these; `choice` takes a
+/// std::string or an enumeration.
 namespace deformlab {
 
-/// One line of help. Fields of nested structs have dotted names, those in lists `list[].name`.
+/// One line of help. Fields of nested structs have dotted names, those in lists `list[].name`,
+/// those in maps by name `map.NAME.name`.
 struct FieldHelp {
   std::string name;
   std::string value;  ///< the default as YAML, or "required"
@@ -144,6 +146,8 @@ template <class T>
 ConfigNode to_node(const std::vector<T>& value);
 template <class T>
 ConfigNode to_node(const std::optional<T>& value);
+template <HasFields T>
+ConfigNode to_node(const std::map<std::string, T>& value);
 
 /// Collects the names of one struct, without those nested in it.
 struct FieldNames {
@@ -252,6 +256,14 @@ void read_value(const ConfigNode& node, const std::string& name, std::optional<T
 }
 
 template <HasFields T>
+void read_value(const ConfigNode& node, const std::string& name, std::map<std::string, T>& value) {
+  check_map(node, name);
+  for (const ConfigNode& child : node.children) {
+    read_value(child, name + "." + child.key, value[child.key]);
+  }
+}
+
+template <HasFields T>
 ConfigNode to_node(const T& value) {
   FieldWriter writer;
   T::fields(value, writer);
@@ -271,6 +283,13 @@ ConfigNode to_node(const std::optional<T>& value) {
   return value ? to_node(*value) : ConfigNode{};
 }
 
+template <HasFields T>
+ConfigNode to_node(const std::map<std::string, T>& value) {
+  FieldWriter writer;
+  for (const auto& [name, element] : value) writer(name.c_str(), element, "");
+  return std::move(writer.map);
+}
+
 template <class T>
 struct ElementOf {
   using type = T;
@@ -282,6 +301,10 @@ struct ElementOf<std::vector<T>> : ElementOf<T> {
 };
 template <class T>
 struct ElementOf<std::optional<T>> : ElementOf<T> {};
+template <HasFields T>
+struct ElementOf<std::map<std::string, T>> : ElementOf<T> {
+  static constexpr const char* kSuffix = ".NAME";
+};
 
 template <class T>
 void FieldDescriber::operator()(const char* name, const T& value, const char* meaning) {

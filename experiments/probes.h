@@ -12,6 +12,7 @@ struct MeasureOptions {
   double detail = 0;
   int stripes = 0;
   ConfigNode probes;
+  ConfigNode reference;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -22,6 +23,9 @@ struct MeasureOptions {
           "of a generated plane: how striped it is across x, beside the mean of so many columns; "
           "0: it is not measured");
     visit("probes", o.probes, "places at rest whose way is measured: a list of coordinates");
+    visit("reference", o.reference,
+          "another edit of the shape, as `edit` has it: the distance to what it gives without "
+          "losses is measured");
   }
 };
 
@@ -34,5 +38,10 @@ Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d);
 
 /// probe_1_x, probe_1_y, probe_1_z, …: how far each probe went (3×n), in units of `size`.
 Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size);
+
+/// reference_rms and reference_max: how far the vertices V (3×n) are from where they should be, in
+/// units of `size`.
+Metrics reference_metrics(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xd& reference,
+                          double size);
 
 }  // namespace deformlab

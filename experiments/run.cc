@@ -83,6 +83,14 @@ bool is_drawing(const ExperimentConfig& config) { return !config.drawing.file.em
 bool is_animation(const ExperimentConfig& config) { return config.animation.generator != "none"; }
 
 void check_edit(const ExperimentConfig& config) {
+  const ConfigNode& reference = config.measure.reference;
+  if (reference.kind != ConfigNode::Kind::kNull) {
+    if (is_animation(config) || is_drawing(config)) {
+      throw InputError("measure.reference (" + reference.where() +
+                       ") is measured of a shape; leave it out");
+    }
+    read_edit(reference);
+  }
   if (is_animation(config)) {
     check(config.animation, config.edit);
   } else if (is_drawing(config)) {
@@ -161,7 +169,9 @@ void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& optio
     names.push_back(info.name);
     options.energies.try_emplace(info.name, info.default_weight);
   }
-  if (const ConfigNode* energies = root.find("energies")) check_keys(*energies, names, "energy");
+  for (const char* map : {"energies", "losses"}) {
+    if (const ConfigNode* by_name = root.find(map)) check_keys(*by_name, names, "energy");
+  }
 }
 
 std::string label(const MeasuredRun& run) {

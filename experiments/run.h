@@ -30,7 +30,8 @@ struct Outcome {
 };
 
 /// Weights are a map, whose keys only the catalog of energies knows: throws InputError for another
-/// key below `energies` in `root`, and fills in the defaults of those that it does not name.
+/// key below `energies` or `losses` in `root`, and fills in the weights of those that it does
+/// not name.
 void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& options);
 
 /// Called before each run, with its number from 1, how many there are, and what it sets.

@@ -226,7 +226,10 @@ CeresSolver::CeresSolver(const SolverOptions& options) : options_(options) {
 
 void CeresSolver::compile(const Stage& stage) {
   check(stage);
-  problem_ = std::make_unique<ceres::Problem>();
+  ceres::Problem::Options ownership;
+  ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  problem_ = std::make_unique<ceres::Problem>(ownership);
+  losses_.clear();
   x_ = stage.x;
   const bool by_column = options_.ceres_blocks == "column";
   for (int j = 0; j < x_.nodes(); ++j) {
@@ -236,13 +239,24 @@ void CeresSolver::compile(const Stage& stage) {
       if (stage.fixed[j]) problem_->SetParameterBlockConstant(block(x_, c));
     }
   }
-  for (const auto& [energy, weight] : stage.terms) {
-    if (weight == 0) continue;
-    for (int e = 0; e < energy->size(); ++e) {
-      auto cost = std::make_unique<ElementCost>(*energy, e, weight, x_, by_column);
-      const std::vector<double*> blocks = cost->blocks();
-      problem_->AddResidualBlock(cost.release(), nullptr, blocks);
-    }
+  for (const WeightedEnergy& term : stage.terms) {
+    if (term.weight > 0) add(term, by_column);
+  }
+}
+
+// w ρ(‖r‖²) has its weight outside of ρ, where without a loss the residuals take √w.
+void CeresSolver::add(const WeightedEnergy& term, bool by_column) {
+  ceres::LossFunction* loss = nullptr;
+  if (term.loss) {
+    losses_.push_back(std::make_unique<ceres::ScaledLoss>(term.loss.get(), term.weight,
+                                                          ceres::DO_NOT_TAKE_OWNERSHIP));
+    loss = losses_.back().get();
+  }
+  for (int e = 0; e < term.energy->size(); ++e) {
+    auto cost =
+        std::make_unique<ElementCost>(*term.energy, e, loss ? 1 : term.weight, x_, by_column);
+    const std::vector<double*> blocks = cost->blocks();
+    problem_->AddResidualBlock(cost.release(), loss, blocks);
   }
 }
 
@@ -263,10 +277,9 @@ Summary CeresSolver::solve(Stage& stage) {
   }
   conclude(result, summary);
   if (summary.status != Status::kFailed) stage.x.X = x_.X;
-  for (const auto& [energy, weight] : stage.terms) {
-    Eigen::VectorXd r(energy->rows() * energy->size());
-    energy->residuals(stage.x, r.data());
-    summary.cost_by_term[std::string(energy->name())] = weight * r.squaredNorm();
+  const std::vector<double> costs = cost_by_term(stage, stage.x);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    summary.cost_by_term[std::string(stage.terms[i].energy->name())] = costs[i];
   }
   return summary;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <ceres/loss_function.h>
 #include <ceres/problem.h>
 
 #include <memory>
+#include <vector>
 
 #include "solvers/solver.h"
 
@@ -22,7 +24,10 @@ class CeresSolver final : public Solver {
   Unknowns& x() { return x_; }
 
  private:
+  void add(const WeightedEnergy& term, bool by_column);
+
   SolverOptions options_;
+  std::vector<std::unique_ptr<ceres::LossFunction>> losses_;  // that the problem refers to
   std::unique_ptr<ceres::Problem> problem_;
   Unknowns x_;  // the problem's parameter blocks live here
 };

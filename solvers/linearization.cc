@@ -1,6 +1,7 @@
 #include "solvers/linearization.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -18,6 +19,16 @@ void multiply_transposed(const Linearization::Part& part, Eigen::MatrixXd& Jtr) 
   for (Eigen::Index e = 0; e < Jtr.cols(); ++e) {
     const auto J = part.J.middleCols(n * e, n);
     for (Eigen::Index p = 0; p < n; ++p) Jtr(p, e) = J.col(p).dot(part.r.col(e));
+    if (part.loss) Jtr.col(e) *= part.root[e];
+  }
+}
+
+// J of every element times √ρ′.
+void take_loss(Linearization::Part& part) {
+  const Eigen::Index n = part.Jtr.rows();
+  for (Eigen::Index e = 0; e < part.r.cols(); ++e) {
+    part.root[e] = std::sqrt(loss_slope(*part.loss, part.r.col(e).squaredNorm()));
+    part.J.middleCols(n * e, n) *= part.root[e];
   }
 }
 
@@ -71,7 +82,8 @@ void Linearization::assemble() { A_ = blocks_->lower(rank_, free_columns()); }
 void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
   const Energy& energy = *term.energy;
   const Unknowns& x = stage.x;
-  Part part{.energy = &energy, .weight = term.weight};
+  Part part{.energy = &energy, .weight = term.weight, .loss = term.loss};
+  if (part.loss) part.root.setOnes(energy.size());
   part.column.resize(std::size_t(energy.size()) * columns_read(energy));
   const std::span<const int> nodes = energy.nodes();
   const int arity = energy.arity();
@@ -86,7 +98,7 @@ void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
   const std::ptrdiff_t all = std::ptrdiff_t(width) * energy.size();
   part.r.resize(energy.rows(), energy.size());
   if (!part.separable()) part.Jtr.resize(width, energy.size());
-  if (energy.structure() == Structure::kNonlinear) part.bent.resize(width, energy.size());
+  if (part.structure() == Structure::kNonlinear) part.bent.resize(width, energy.size());
   local_.resize(std::max<std::size_t>(local_.size(), width));
   if (part.separable()) {
     part.J.resize(columns_read(energy), energy.size());
@@ -125,14 +137,15 @@ double Linearization::evaluate(const Unknowns& x) {
   separable_ = 0;
   for (Part& part : parts_) {
     part.energy->residuals(x, part.r.data());
-    (part.separable() ? separable_ : others) += part.weight * part.r.squaredNorm();
+    (part.separable() ? separable_ : others) += part.weight * squared_sum(part.r, part.loss.get());
   }
   return exact_ = separable_ + others;
 }
 
 std::vector<double> Linearization::cost_by_term() const {
   std::vector<double> result;
-  for (const Part& part : parts_) result.push_back(part.weight * part.r.squaredNorm());
+  for (const Part& part : parts_)
+    result.push_back(part.weight * squared_sum(part.r, part.loss.get()));
   return result;
 }
 
@@ -165,8 +178,9 @@ void Linearization::linearize_others(const Unknowns& x) {
     if (part.separable()) continue;
     if (part.square()) {
       part.energy->normal_equations(x, part.JtJ.data(), part.Jtr.data());
-    } else if (part.energy->structure() == Structure::kNonlinear) {
+    } else if (part.structure() == Structure::kNonlinear) {
       part.energy->jacobians(x, part.J.data());
+      if (part.loss) take_loss(part);
     }
     if (!part.square()) multiply_transposed(part, part.Jtr);
     add(part, part.Jtr, Jtr_);
@@ -188,7 +202,7 @@ void Linearization::add(const Part& part, const Eigen::MatrixXd& Jtr, Eigen::Vec
 void Linearization::bend(const Unknowns& x, const Eigen::VectorXd& delta, Eigen::VectorXd& q) {
   q.setZero();
   for (Part& part : parts_) {
-    if (part.energy->structure() != Structure::kNonlinear) continue;
+    if (part.structure() != Structure::kNonlinear) continue;
     if (part.square()) {
       part.energy->transposed_products(x, part.r.data(), part.bent.data());
     } else {
@@ -231,7 +245,7 @@ double Linearization::evaluate_step(const Unknowns& to, double scale) {
   for (Part& part : parts_) {
     if (part.separable()) continue;
     part.energy->residuals(to, part.r.data());
-    others_ += part.weight * part.r.squaredNorm();
+    others_ += part.weight * squared_sum(part.r, part.loss.get());
   }
   return share_ + others_;
 }

@@ -15,6 +15,9 @@ namespace deformlab {
 ///
 /// Where a step leads, the separable terms need not be evaluated: their share of F is quadratic,
 /// and A knows how it changes.
+///
+/// Of a term with a loss, r and J of each element are scaled by √ρ′ at the last linearization, as
+/// Ceres does it where ρ″ ≤ 0: Jᵀr is then half of ∇F, and JᵀJ leaves out what ρ″ would take off.
 class Linearization {
  public:
   /// Throws InputError for a term that reads nodes of another dimension or of too few columns.
@@ -63,14 +66,17 @@ class Linearization {
   struct Part {
     const Energy* energy = nullptr;
     double weight = 1;
+    std::shared_ptr<const ceres::LossFunction> loss = nullptr;
     Eigen::MatrixXd r{};    ///< rows × elements
     Eigen::MatrixXd J{};    ///< separable: coefficients a, one column an element; else Jacobians
     Eigen::MatrixXd JtJ{};  ///< of all elements, side by side, in place of J: of a term of one node
     Eigen::MatrixXd Jtr{};  ///< of every element, unless separable
-    Eigen::MatrixXd bent{};     ///< the same of `bend`, of nonlinear terms
+    Eigen::MatrixXd bent{};  ///< the same of `bend`, of nonlinear terms
+    Eigen::VectorXd root{};  ///< √ρ′ of every element, which J has in it: of a term with a loss
     std::vector<int> column{};  ///< columns of X that an element reads, arguments in turn
-    bool separable() const { return energy->structure() == Structure::kSeparable; }
-    bool square() const { return !separable() && energy->arity() == 1; }
+    Structure structure() const { return loss ? Structure::kNonlinear : energy->structure(); }
+    bool separable() const { return structure() == Structure::kSeparable; }
+    bool square() const { return !loss && !separable() && energy->arity() == 1; }
   };
   const std::vector<Part>& parts() const { return parts_; }
 

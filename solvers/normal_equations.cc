@@ -49,8 +49,8 @@ void NormalEquations::assemble_structure() {
     }
   }
   for (const Part& part : parts()) {
-    if (part.energy->structure() == Structure::kSeparable) continue;
-    const bool constant = part.energy->structure() == Structure::kLinear;
+    if (part.structure() == Structure::kSeparable) continue;
+    const bool constant = part.structure() == Structure::kLinear;
     for (int e = 0; e < part.energy->size(); ++e) {
       for_each_pair(part, e, [&](int p, int q, int row, int col) {
         triplets.emplace_back(row, col, constant ? part.weight * square(part, e, p, q) : 0);
@@ -68,7 +68,7 @@ void NormalEquations::find_targets() {
   targets_.assign(parts().size(), {});
   for (std::size_t i = 0; i < parts().size(); ++i) {
     const Part& part = parts()[i];
-    if (part.energy->structure() != Structure::kNonlinear) continue;
+    if (part.structure() != Structure::kNonlinear) continue;
     for (int e = 0; e < part.energy->size(); ++e) {
       for_each_pair(part, e, [&](int, int, int row, int col) {
         const int* begin = H_.innerIndexPtr() + H_.outerIndexPtr()[col];

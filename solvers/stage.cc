@@ -1,5 +1,6 @@
 #include "solvers/stage.h"
 
+#include <numeric>
 #include <string>
 
 #include "geometry/error.h"
@@ -23,22 +24,27 @@ bool fits(const Energy& energy, const Unknowns& x) {
 }  // namespace
 
 void check(const Stage& stage) {
-  for (const auto& [energy, weight] : stage.terms) {
-    if (fits(*energy, stage.x)) continue;
-    throw InputError("the term '" + std::string(energy->name()) +
+  for (const WeightedEnergy& term : stage.terms) {
+    if (fits(*term.energy, stage.x)) continue;
+    throw InputError("the term '" + std::string(term.energy->name()) +
                      "' reads nodes that this problem does not have: check the node indices, the "
                      "dimension and the columns of its arguments");
   }
 }
 
-double cost(const Stage& stage, const Unknowns& x) {
-  double sum = 0;
-  for (const auto& [energy, weight] : stage.terms) {
-    Eigen::VectorXd r(energy->rows() * energy->size());
-    energy->residuals(x, r.data());
-    sum += weight * r.squaredNorm();
+std::vector<double> cost_by_term(const Stage& stage, const Unknowns& x) {
+  std::vector<double> costs;
+  for (const WeightedEnergy& term : stage.terms) {
+    Eigen::MatrixXd r(term.energy->rows(), term.energy->size());
+    term.energy->residuals(x, r.data());
+    costs.push_back(term.weight * squared_sum(r, term.loss.get()));
   }
-  return sum;
+  return costs;
+}
+
+double cost(const Stage& stage, const Unknowns& x) {
+  const std::vector<double> costs = cost_by_term(stage, x);
+  return std::accumulate(costs.begin(), costs.end(), 0.0);
 }
 
 }  // namespace deformlab

@@ -16,10 +16,10 @@ Choice choose_step_solver(const Stage& stage) {
     return {"cholmod", "there are only " + std::to_string(unknowns) + " unknowns"};
   }
   bool separable = false;
-  for (const auto& [energy, weight] : stage.terms) {
-    separable |= energy->structure() == Structure::kSeparable && energy->size() > 0;
-    if (energy->structure() != Structure::kLinear) continue;
-    return {"cholmod", "the term '" + std::string(energy->name()) + "' mixes the coordinates"};
+  for (const WeightedEnergy& term : stage.terms) {
+    separable |= term.structure() == Structure::kSeparable && term.energy->size() > 0;
+    if (term.structure() != Structure::kLinear) continue;
+    return {"cholmod", "the term '" + std::string(term.energy->name()) + "' mixes the coordinates"};
   }
   if (!separable) return {"cholmod", "no term is separable"};
   return {"separable_cg", std::to_string(unknowns) + " unknowns are coupled by separable terms"};

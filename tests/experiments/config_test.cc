@@ -52,6 +52,7 @@ struct Options {
   std::map<std::string, double> energies = {{"rotation", 1}, {"constraint", 100}};
   std::optional<double> length_unit = 0.5;
   Graph graph;
+  std::map<std::string, Graph> parts;
   std::vector<Claim> claims;
   ConfigNode sweep;
   template <class Self, class Visit>
@@ -68,6 +69,7 @@ struct Options {
     visit("energies", o.energies, "weights by name");
     visit("length_unit", o.length_unit, "unit of length");
     visit("graph", o.graph, "deformation graph");
+    visit("parts", o.parts, "graphs by name");
     visit("claims", o.claims, "what must show");
     visit("sweep", o.sweep, "runs to make");
   }
@@ -120,6 +122,7 @@ sizes: [5]
 energies: {rotation: 2}
 length_unit: ~
 graph: {nodes: 425, seed: 18446744073709551615}
+parts: {head: {nodes: 7}, tail: {seed: 2}}
 claims:
   - name: "it's: \"rotated\"\n#1"
     expected: -0.1
@@ -140,6 +143,8 @@ TEST(Config, ReadsEveryTypeOfField) {
   EXPECT_EQ(o.length_unit, std::nullopt);
   EXPECT_EQ(o.graph.nodes, 425);
   EXPECT_EQ(o.graph.seed, 18446744073709551615u);
+  EXPECT_EQ(o.parts.at("head").nodes, 7);
+  EXPECT_EQ(o.parts.at("tail").nodes, 300);
   ASSERT_EQ(o.claims.size(), 2u);
   EXPECT_EQ(o.claims[0].name, "it's: \"rotated\"\n#1");
   EXPECT_EQ(o.claims[0].expected, -0.1);
@@ -162,6 +167,8 @@ TEST(Config, ResolvedConfigReadsBackTheSame) {
   EXPECT_EQ(again.claims[1].name, "~x");
   EXPECT_EQ(parse(to_yaml(to_node(std::string("a\tb\r\n")))).text, "a\tb\r\n");
   EXPECT_EQ(again.length_unit, std::nullopt);
+  EXPECT_EQ(again.parts.size(), 2u);
+  EXPECT_EQ(again.parts.at("tail").seed, 2u);
   EXPECT_EQ(again.method, Method::kCeres);
   EXPECT_TRUE(again.sweep.children[0].children[1].quoted);
 }
@@ -171,6 +178,7 @@ TEST(Config, HelpComesFromTheSameDescription) {
   EXPECT_THAT(help, HasSubstr("  shape              required"));
   EXPECT_THAT(help, HasSubstr("  tolerance          1e-06 "));
   EXPECT_THAT(help, HasSubstr("  graph.nodes        300 "));
+  EXPECT_THAT(help, HasSubstr("  parts.NAME.nodes   300 "));
   EXPECT_THAT(help, HasSubstr("  claims[].name      required"));
   EXPECT_THAT(help, HasSubstr("step control: none | line_search\n"));
   EXPECT_THAT(help, HasSubstr("gauss_newton  "));
@@ -326,79 +334,6 @@ TEST(Override, IsNamedWhereItsKeyOrValueIsWrong) {
               AllOf(HasSubstr("override 'sizes.1=3': no element '1'"), HasSubstr("line 2")));
   EXPECT_THAT(error_of("shape: x", {"shape.y=3"}),
               HasSubstr("override 'shape.y=3' looks for 'y' inside 'x' (line 1 of c.yaml)"));
-}
-
-TEST(Override, MalformedOnesAreRefused) {
-  for (const char* text : {"=3", "nodes", ""}) {
-    EXPECT_THAT([&] { parse_override(text); },
-                ThrowsMessage<InputError>(HasSubstr("must have the form key=value")))
-        << text;
-  }
-  for (const char* text : {"a..b=1", ".a=1", "a.=1", ".=1"}) {
-    EXPECT_THAT([&] { parse_override(text); },
-                ThrowsMessage<InputError>(HasSubstr("has an empty name in its key")))
-        << text;
-  }
-  std::string deep = "a";
-  for (int i = 0; i < 100'000; ++i) deep += ".a";
-  EXPECT_THAT([&] { parse_override(deep + "=1"); },
-              ThrowsMessage<InputError>(HasSubstr("more than 64 names")));
-}
-
-std::vector<std::string> texts(const std::vector<SweptRun>& runs) {
-  std::vector<std::string> all;
-  for (const SweptRun& run : runs) {
-    std::string text;
-    for (const Override& change : run.overrides) text += change.text() + ";";
-    all.push_back(text);
-  }
-  return all;
-}
-
-TEST(Sweep, IsTheCartesianProductInFileOrder) {
-  const ConfigNode sweep = parse("{b.c: [1, 'x: y'], a: [[0, 0, 1], {k: ~}, null]}");
-  EXPECT_THAT(texts(expand_sweep(sweep)),
-              ElementsAre("b.c=1;a=[0, 0, 1];", "b.c=1;a.k=~;", "b.c=1;a=~;",
-                          "b.c=\"x: y\";a=[0, 0, 1];", "b.c=\"x: y\";a.k=~;", "b.c=\"x: y\";a=~;"));
-  EXPECT_EQ(expand_sweep(sweep)[0].overrides[0].folder, "folder");
-  EXPECT_THAT(texts(expand_sweep(ConfigNode{})), ElementsAre(""));
-}
-
-TEST(Sweep, NamedMapsSetTheirKeysTogether) {
-  const ConfigNode sweep =
-      parse("{row: {small: {a.b: 1, edit: [2]}, large: {a: {c: 3}}}, k: [4, 5]}");
-  const std::vector<SweptRun> runs = expand_sweep(sweep);
-  EXPECT_THAT(texts(runs), ElementsAre("a.b=1;edit=[2];k=4;", "a.b=1;edit=[2];k=5;", "a.c=3;k=4;",
-                                       "a.c=3;k=5;"));
-  using Settings = std::vector<std::pair<std::string, std::string>>;
-  EXPECT_EQ(runs[1].settings, (Settings{{"row", "small"}, {"k", "5"}}));
-  std::vector<std::string> keys;
-  for (const ConfigNode* key : swept_keys(sweep)) keys.push_back(key->key);
-  EXPECT_THAT(keys, ElementsAre("a.b", "edit", "a", "k"));
-}
-
-TEST(Sweep, RefusesWhatIsNoSweep) {
-  const auto error = [](const std::string& text) -> std::string {
-    try {
-      expand_sweep(parse(text));
-    } catch (const InputError& caught) {
-      return caught.what();
-    }
-    return "";
-  };
-  EXPECT_THAT(error("a: [1]\nb: []"), HasSubstr("sweep over 'b' (line 2 of c.yaml) needs a list"));
-  EXPECT_THAT(error("a: 3"), HasSubstr("found '3'"));
-  EXPECT_THAT(error("row: {}"), HasSubstr("or maps of keys by their names"));
-  EXPECT_THAT(error("row: {one: 3}"), HasSubstr("'one' (line 1 of c.yaml) must map keys"));
-  EXPECT_THAT(error("row: {one: {}}"), HasSubstr("'one' (line 1 of c.yaml) must map keys"));
-  EXPECT_THAT(error("[1]"), HasSubstr("'sweep' must map dotted keys to lists (line 1"));
-  EXPECT_THAT(error("a..b: [1]"), HasSubstr("empty name"));
-  std::string hundred = "[0";
-  for (int i = 1; i < 100; ++i) hundred += ", " + std::to_string(i);
-  const std::string allowed = "a: " + hundred + "]\nb: " + hundred + "]\n";
-  EXPECT_EQ(expand_sweep(parse(allowed)).size(), kMaxSweepRuns);
-  EXPECT_THAT(error(allowed + "c: [1, 2]"),
-              AllOf(HasSubstr("more than 10000 runs"), HasSubstr("line 3")));
 }
 
 }  // namespace

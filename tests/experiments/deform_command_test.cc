@@ -269,6 +269,16 @@ TEST_F(DeformCommand, WritesNothingWhereTheSolverFails) {
   EXPECT_THAT(changes_since(before), ::testing::IsEmpty());
 }
 
+TEST_F(DeformCommand, WithoutALossIsAsIfThereWereNone) {
+  put("in.off", plane_off());
+  deform("in.off", kLift);
+  const std::string plain = get("out.off");
+  deform("in.off", kLift, {"losses.constraint.kind=none"});
+  EXPECT_EQ(get("out.off"), plain);
+  deform("in.off", kLift, {"losses.constraint={kind: cauchy, scale: 0.01}"});
+  EXPECT_NE(get("out.off"), plain);
+}
+
 TEST_F(DeformCommand, TakesAnyNumberOfStepsAsTheMost) {
   put("in.off", plane_off());
   deform("in.off", kLift, {"solver.max_iterations=2147483647"});

@@ -47,9 +47,10 @@ class Allocations : public ::testing::Test {
   }
 
   // Of a solve of so many steps, after one that has warmed every workspace up.
-  static long in_a_solve(SolverOptions options, int steps) {
+  static long in_a_solve(SolverOptions options, int steps, const LossOptions& loss = {}) {
     const Problem problem = random_problem(100);
     Stage stage = make_stage(problem, twisted(problem.handles, 1.5, 3));
+    term(stage, "constraint").loss = make_loss(loss, "loss");
     const Unknowns start = stage.x;
     options.max_iterations = steps;
     const auto solver = make_solver(options);
@@ -76,6 +77,9 @@ TEST_F(Allocations, AStepMakesNone) {
       const SolverOptions options = gauss_newton(linear_solver, globalization, 1e-300);
       EXPECT_EQ(in_a_solve(options, 3), in_a_solve(options, 6))
           << linear_solver << " " << globalization;
+      const LossOptions loss{"huber", 0.1};
+      EXPECT_EQ(in_a_solve(options, 3, loss), in_a_solve(options, 6, loss))
+          << linear_solver << " " << globalization << " with a loss";
     }
   }
 }

@@ -69,8 +69,9 @@ TEST(LadderTop, EveryMethodIsHonestOnAHardScene) {
         gauss_newton("cholmod", "levenberg"), gauss_newton("cholmod", "accelerated"),
         gauss_newton("separable_cg", "accelerated"), ceres_with("auto"), dogleg}) {
     Stage stage = make_stage(problem, targets);
-    for (auto& [energy, weight] : stage.terms) {
-      if (energy->name() != "rotation") weight *= 1e-3;  // as if lengths were in a large unit
+    for (WeightedEnergy& term : stage.terms) {
+      if (term.energy->name() != "rotation")
+        term.weight *= 1e-3;  // as if lengths were in a large unit
     }
     const Summary summary = solve(stage, options);
     const std::string name = summary.method + "_" + summary.globalization;

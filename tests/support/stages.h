@@ -49,10 +49,18 @@ inline Summary solve(Stage& stage, const SolverOptions& options) {
   return solver->solve(stage);
 }
 
+/// The term of this name.
+inline WeightedEnergy& term(Stage& stage, std::string_view name) {
+  return *std::ranges::find_if(stage.terms,
+                               [&](const auto& one) { return one.energy->name() == name; });
+}
+
 /// The stage's residuals and Jacobian over all entries of X.
 inline SparseSystem reference(const Stage& stage, const Unknowns& x) {
   std::vector<WeightedTerm> terms;
-  for (const auto& [energy, weight] : stage.terms) terms.push_back({energy.get(), weight});
+  for (const WeightedEnergy& term : stage.terms) {
+    terms.push_back({term.energy.get(), term.weight, term.loss.get()});
+  }
   return sparse_system(terms, x);
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+namespace ceres {
+class LossFunction;
+}
+
+namespace deformlab {
+
+/// ρ of a robust term, F = Σ w Σ_e ρ(‖r_e‖²), so that elements whose residual cannot become small
+/// pull with less than its square. With a the scale and s = ‖r‖²:
+///   huber   s up to a², then 2a‖r‖ − a²: convex
+///   cauchy  a² log(1 + s/a²): what is far away pulls ever less
+///   tukey   a²/3 (1 − (1 − s/a²)³), then a²/3: beyond a nothing pulls at all, so that handles have
+///           to begin nearer than that to their targets
+struct LossOptions {
+  std::string kind = "none";
+  double scale = 1;  ///< a, in the unit of the residual: for lengths, the energy's own unit
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.choice("kind", o.kind, {"none", "huber", "cauchy", "tukey"}, "ρ");
+    visit("scale", o.scale,
+          "the residual that it begins to doubt, in length_units; from 1e-6 to 1000");
+  }
+};
+
+/// The loss, null for "none". Throws InputError, in which `name` is what the options are called,
+/// for an unknown kind or a scale out of range.
+std::shared_ptr<const ceres::LossFunction> make_loss(const LossOptions& options,
+                                                     const std::string& name);
+
+/// Σ_e ρ(‖r_e‖²) of residuals, rows × elements; ρ(s) = s where there is no loss.
+double squared_sum(const Eigen::MatrixXd& r, const ceres::LossFunction* loss);
+
+/// ρ′(‖r‖²) of one element.
+double loss_slope(const ceres::LossFunction& loss, double squared_norm);
+
+}  // namespace deformlab

@@ -1,0 +1,152 @@
+#include "solvers/loss.h"
+
+#include "geometry/error.h"
+#include "solvers/separable_cg.h"
+#include "tests/solvers/ladder.h"
+
+namespace deformlab::test {
+namespace {
+
+constexpr double kTight = 1e-12;
+const std::string kKinds[] = {"huber", "cauchy", "tukey"};
+
+// The twisted plate, of whose handles every so manyth is aimed several edges beside its place.
+Stage with_outliers(int m, const LossOptions& loss, int every = 7) {
+  const Problem problem = random_problem(m);
+  Eigen::Matrix3Xd targets = twisted(problem.handles, 0.4, 0.3);
+  for (Eigen::Index l = 0; l < targets.cols(); l += every) {
+    targets.col(l) += Eigen::Vector3d(0.5, -1, 3);
+  }
+  Stage stage = make_stage(problem, targets);
+  term(stage, "constraint").loss = make_loss(loss, "loss");
+  return stage;
+}
+
+class Loss : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Loss, IsTheSquareOfSmallResidualsAndGrowsLess) {
+  const auto loss = make_loss({GetParam(), 0.5}, "loss");
+  const auto rho = [&](double s) {
+    return squared_sum(Eigen::MatrixXd::Constant(1, 1, std::sqrt(s)), loss.get());
+  };
+  EXPECT_EQ(rho(0), 0);
+  EXPECT_NEAR(rho(1e-6), 1e-6, 1e-11);
+  for (const double s : {0.01, 0.2, 0.3, 1.0, 10.0}) {
+    const double h = 1e-6 * s, difference = (rho(s + h) - rho(s - h)) / (2 * h);
+    EXPECT_NEAR(loss_slope(*loss, s), difference, 1e-7) << s;
+    EXPECT_LE(rho(s), s * (1 + 1e-12)) << s;
+    EXPECT_LE(loss_slope(*loss, 2 * s), loss_slope(*loss, s)) << s;
+  }
+}
+
+TEST_P(Loss, Rung1ResidualsAndDerivativesAgree) {
+  Stage stage = with_outliers(60, {GetParam(), 0.3});
+  expect_same_system(stage, perturbed(stage.x, 0.1));
+  for (const char* name : {"rotation", "regularization"}) {
+    term(stage, name).loss = make_loss({GetParam(), 0.7}, "loss");
+  }
+  for (int j = 0; j < stage.x.nodes(); j += 4) stage.fixed[j] = 1;
+  expect_same_system(stage, perturbed(stage.x, 0.3));
+}
+
+TEST_P(Loss, Rung2TheDenseStepIsTaken) {
+  Stage stage = with_outliers(40, {GetParam(), 2});
+  for (const char* name : {"cholmod", "eigen_ldlt"}) {
+    expect_dense_step(stage, perturbed(stage.x, 0.05), name);
+  }
+}
+
+TEST_P(Loss, GradientIsThatOfTheCost) {
+  Stage stage = with_outliers(20, {GetParam(), 0.6});
+  term(stage, "rotation").loss = make_loss({GetParam(), 0.9}, "loss");
+  Unknowns x = perturbed(stage.x, 0.2);
+  Linearization linearization(stage);
+  EXPECT_NEAR(linearization.evaluate(x), cost(stage, x), 1e-12 * cost(stage, x));
+  linearization.linearize(x);
+  const double scale = 2 * linearization.Jtr().lpNorm<Eigen::Infinity>();
+  for (int c = 0; c < x.X.cols(); c += 3) {
+    for (int i = 0; i < 3; ++i) {
+      const double at = x.X(i, c), h = 1e-6;
+      x.X(i, c) = at + h;
+      const double above = cost(stage, x);
+      x.X(i, c) = at - h;
+      const double below = cost(stage, x);
+      x.X(i, c) = at;
+      EXPECT_NEAR(2 * linearization.Jtr()[linearization.place(i, c)], (above - below) / (2 * h),
+                  1e-6 * scale);
+    }
+  }
+}
+
+TEST_P(Loss, OfALargeScaleIsNone) {
+  Stage plain = with_outliers(40, {}), robust = with_outliers(40, {GetParam(), 1000});
+  const SolverOptions options = gauss_newton("cholmod", "line_search", 1e-10);
+  const Summary a = solve(plain, options), b = solve(robust, options);
+  EXPECT_NEAR(a.final_cost, b.final_cost, 1e-4 * a.final_cost);
+  EXPECT_LT((plain.x.X - robust.x.X).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST_P(Loss, LetsTheOtherHandlesBeMet) {
+  const double scale = GetParam() == "tukey" ? 1 : 0.3;  // or it lets go of all at the start
+  Stage clean = with_outliers(60, {}), robust = with_outliers(60, {GetParam(), scale});
+  Stage torn = with_outliers(60, {});
+  const Problem problem = random_problem(60);
+  term(clean, "constraint").energy->aim(twisted(problem.handles, 0.4, 0.3));
+  solve(clean, gauss_newton("auto", "accelerated"));
+  solve(torn, gauss_newton("auto", "accelerated"));
+  const Summary summary = solve(robust, gauss_newton("auto", "accelerated"));
+  EXPECT_EQ(summary.status, Status::kConverged) << summary.message;
+  const double off = (robust.x.X - clean.x.X).norm(), without = (torn.x.X - clean.x.X).norm();
+  EXPECT_LT(off, 0.3 * without);
+}
+
+// The steps are those of Ceres, so that the same minimum is found even where there are several.
+TEST_P(Loss, Rung3LevenbergMarquardtAgreesWithCeres) {
+  for (const int m : {20, 200}) {
+    Stage stage = with_outliers(m, {GetParam(), 1});
+    expect_same_minimum(stage, gauss_newton("cholmod", "levenberg", kTight),
+                        ceres_with("auto", kTight));
+  }
+}
+
+// Reweighted steps close the last gap at a constant rate: it takes more of them.
+TEST_P(Loss, Rung3EveryLinearSolverAgrees) {
+  constexpr double kTighter = 1e-14;
+  for (const int m : {20, 200}) {
+    for (const char* linear_solver : {"cholmod", "separable_cg"}) {
+      Stage stage = with_outliers(m, {GetParam(), 1}, 40);
+      expect_same_minimum(stage, gauss_newton("cholmod", "line_search", kTighter),
+                          gauss_newton(linear_solver, "accelerated", kTighter));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Loss, ::testing::ValuesIn(kKinds));
+
+TEST(AnyLoss, ThatLetsGoOfEveryHandleIsSurvived) {
+  for (const SolverOptions& options :
+       {gauss_newton("cholmod", "accelerated"), gauss_newton("separable_cg", "line_search"),
+        gauss_newton("auto", "levenberg"), ceres_with("auto")}) {
+    Stage stage = with_outliers(30, {});
+    Eigen::Matrix3Xd far =
+        Eigen::Matrix3Xd::Constant(3, term(stage, "constraint").energy->size(), 9);
+    term(stage, "constraint").energy->aim(far);
+    term(stage, "constraint").loss = make_loss({"tukey", 1e-6}, "loss");
+    const Summary summary = solve(stage, options);
+    EXPECT_NE(summary.status, Status::kFailed) << summary.message;
+    EXPECT_TRUE(stage.x.X.allFinite());
+    EXPECT_NEAR(summary.final_cost, summary.initial_cost, 1e-9);
+  }
+}
+
+TEST(AnyLoss, IsChecked) {
+  EXPECT_EQ(make_loss({}, "loss"), nullptr);
+  EXPECT_THROW(make_loss({"hubre", 1}, "loss"), InputError);
+  for (const double scale : {0.0, -1.0, 1e4, std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(make_loss({"huber", scale}, "loss"), InputError) << scale;
+    EXPECT_THROW(make_loss({"none", scale}, "loss"), InputError) << scale;
+  }
+}
+
+}  // namespace
+}  // namespace deformlab::test
