@@ -44,8 +44,10 @@ int affine_rank(const Eigen::Matrix3Xd& points, double extent) {
 }
 
 std::string name(const Component& component) {
+  const std::string first = "node " + std::to_string(component.nodes.front());
+  if (component.nodes.size() == 1) return "a component of the graph (" + first + " alone)";
   return "a component of the graph (" + std::to_string(component.nodes.size()) +
-         " nodes, the first is node " + std::to_string(component.nodes.front()) + ")";
+         " nodes, the first is " + first + ")";
 }
 
 std::vector<std::string> notes_on_free(const std::vector<Component>& free) {

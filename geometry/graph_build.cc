@@ -35,7 +35,9 @@ struct Placed {
 void check_file(const GraphOptions& options) {
   const bool by_hand = options.method == "file";
   if (by_hand && options.file.empty()) {
-    throw InputError("graph.method is file, but graph.file names none");
+    throw InputError(
+        "graph.method is file, but graph.file names none; give it an OBJ of 'v x y z' and "
+        "'l i j' lines");
   }
   if (!by_hand && !options.file.empty()) {
     throw InputError("graph.file is '" + options.file.string() + "', but graph.method is " +

@@ -54,10 +54,14 @@ void reject_without_node(const CutGroups& groups, std::size_t g, const Sides& si
   for (std::size_t c = 0; c < cuts.size(); ++c) {
     if (sides[c] != ' ') names += (names.empty() ? "" : " and ") + cuts[c].name;
   }
-  throw InputError(names + ": " + std::to_string(count) + " vertices, the first of them vertex " +
-                   std::to_string(first - of_vertex) + ", would have no node to follow: all " +
-                   std::to_string(groups.of_node.size()) +
-                   " nodes are on the other side; use more nodes, or cut off less");
+  const std::string vertex = "vertex " + std::to_string(first - of_vertex);
+  const std::string who =
+      count == 1 ? vertex : std::to_string(count) + " vertices, the first of them " + vertex + ",";
+  const std::size_t nodes = groups.of_node.size();
+  throw InputError(
+      names + ": " + who + " would have no node to follow: " +
+      (nodes == 1 ? "the one node is" : "all " + std::to_string(nodes) + " nodes are") +
+      " on the other side; use more nodes, or cut off less");
 }
 
 }  // namespace

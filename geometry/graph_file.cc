@@ -23,8 +23,10 @@ using formats::Token;
 std::string bytes_of(const std::filesystem::path& path) {
   std::error_code ignored;
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, ignored)) {
-    throw InputError("cannot read the graph in '" + path.string() + "': no such file");
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  if (!file || is_folder) {
+    throw InputError("cannot read the graph in '" + path.string() +
+                     (is_folder ? "': it is a folder" : "': no such file"));
   }
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -98,6 +100,11 @@ class Reader {
     if (!value || *value == 0 || *value > kMost || *value < -kMost) {
       reject(name_, lines.number() + ": " + quoted(word.text) +
                         " is not a node; they count from 1, or from -1 backwards");
+    }
+    if (-*value > std::ssize(nodes_)) {
+      reject(name_, lines.number() + ": an edge to " + quoted(word.text) +
+                        " leads nowhere: so far there are " + std::to_string(nodes_.size()) +
+                        " nodes");
     }
     return *value > 0 ? *value : std::ssize(nodes_) + 1 + *value;
   }

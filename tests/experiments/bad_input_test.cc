@@ -141,6 +141,72 @@ const Refusal kEdits[] = {
              {"vertex index", "line 1 of lift.yaml"}),
 };
 
+// A graph made by hand.
+Refusal bad_graph(const std::string& name, const std::string& text, const Words& words) {
+  return {name,
+          deform("plane.off", {"graph.method=file", "graph.file=g.obj"}),
+          words,
+          {{"g.obj", text}}};
+}
+
+std::string vertices_without(int count, int left_out) {
+  std::string list;
+  for (int i = 0; i < count; ++i) {
+    if (i != left_out) list += (list.empty() ? "" : ", ") + std::to_string(i);
+  }
+  return "{vertices: [" + list + "]}";
+}
+
+const char* const kLiftOne =
+    "edit:\n  - {select: {vertices: [0, 1]}, fix: true}\n"
+    "  - {select: {vertices: [40]}, by: [0, 0, 1]}\n";
+
+const Refusal kGraphs[] = {
+    bad_graph("AnIsolatedNode", "v 0 0 0\nv 1 0 0\nv 0.5 1 0\nl 1 2\n",
+              {"'g.obj': node 3 (line 3) is isolated", "join it to another, or leave it out"}),
+    bad_graph("ARepeatedNode", "v 0 0 0\nv 1 0 0\nv 1 0 0\nl 1 2 3\n",
+              {"'g.obj': node 3 (line 3) is repeated", "node 2 (line 2)", "leave one out"}),
+    bad_graph("AnEdgeToNowhere", "v 0 0 0\nv 1 0 0\nl 1 3\n",
+              {"'g.obj': line 3: the edge from node 1 to node 3 leads nowhere", "2 nodes"}),
+    bad_graph("AnEdgeBackwardsToNowhere", "v 0 0 0\nv 1 0 0\nl 1 -5\n",
+              {"line 3: an edge to '-5' leads nowhere", "2 nodes"}),
+    bad_graph("AnEdgeToItself", "v 0 0 0\nv 1 0 0\nl 1 2\nl 1 1\n",
+              {"line 4: the edge joins node 1 to itself"}),
+    bad_graph("ARepeatedEdge", "v 0 0 0\nv 1 0 0\nl 1 2\nl 2 1\n",
+              {"line 4: the edge between node 1 and node 2 is repeated", "line 3"}),
+    bad_graph("NoNodeAtAll", "# nothing yet\n", {"it has no node", "'v x y z'"}),
+    bad_option("NoFileOfAGraph", "graph={method: file, nodes: 9}",
+               {"graph.file names none", "give it an OBJ"}),
+    bad_option("NoSuchFileOfAGraph", "graph={method: file, file: nope.obj}",
+               {"cannot read the graph in 'nope.obj'", "no such file"}),
+    bad_option("AFolderAsAGraph", "graph={method: file, file: results}",
+               {"cannot read the graph in 'results'", "it is a folder"}),
+    bad_option("AFileOfAnotherMethod", "graph.file=plane.off",
+               {"graph.file is 'plane.off'", "graph.method is sampling", "make it file"}),
+    bad_option("SimplifiedTooFar", "graph={method: simplification, nodes: 1}",
+               {"graph.nodes is 1, but simplification ends at 3", "an aspect ratio above 3",
+                "use 3 nodes, a greater graph.aspect_ratio, or graph.method: sampling"}),
+    bad_option("SimplifiedTooFarForItsTriangles",
+               "graph={method: simplification, nodes: 20, aspect_ratio: 1}",
+               {"graph.nodes is 20, but simplification ends at ", "aspect ratio above 1,"}),
+    bad_option("SimplifiedToMore", "graph={method: simplification, nodes: 82}",
+               {"graph.nodes is 82", "1 … 81"}),
+    {"ACutAroundOneHandle",
+     deform("plane.off",
+            {"cut=[{between: {vertices: [40]}, and: " + vertices_without(81, 40) + "}]"}, "one"),
+     {"cut 1", "vertex 40 would have no node to follow", "all 10 nodes are on the other side",
+      "use more nodes, or cut off less"},
+     {{"one.yaml", kLiftOne}}},
+    {"ACutAroundAllHandles",
+     deform("plane.off", {"--nodes=1",
+                          "cut=[{between: {box: {min: [0.99, -1, -1], max: [2, 2, 1]}}, "
+                          "and: {box: {min: [-1, -1, -1], max: [0.98, 2, 1]}}}]"}),
+     {"cut 1", "9 vertices, the first of them vertex 8, would have no node to follow",
+      "the one node is on the other side"}},
+    bad_option("ACutOfOneSide", "cut=[{between: {vertices: [40]}, and: {all: true}}]",
+               {"cut 1", "vertex 40 is on both sides", "take it out of one"}),
+};
+
 const Refusal kOptions[] = {
     bad_option("NoNodes", "graph.nodes=0", {"graph.nodes is 0", "at least 1"}),
     bad_option("NegativeNodes", "--nodes=-1", {"graph.nodes is -1", "at least 1"}),
@@ -247,6 +313,9 @@ const Refusal kConfigs[] = {
     bad_config("SweepOverClaims", "sweep={claims: [[]]}", {"'claims'", "sweep"}),
     bad_config("UnknownMeasure", "claims=[{name: a, measure: cots, at_most: 1}]",
                {"claim 'a'", "'cots'", "did you mean 'cost'?"}),
+    bad_config("ReferenceOfNothing", "measure.reference=[]", {"no entries"}),
+    bad_config("MisspeltReference", "measure.reference=[{select: {all: true}, fixx: true}]",
+               {"'fixx'", "did you mean 'fix'?"}),
     bad_config("ExpectsNothing", "claims=[{name: a, measure: cost}]",
                {"claim 'a'", "at_least, at_most or equals"}),
     bad_config("ClaimOfNoRun", "claims=[{name: a, measure: cost, at_most: 1, where: {x: 7}}]",
@@ -265,6 +334,7 @@ std::string name_of(const ::testing::TestParamInfo<Refusal>& info) { return info
 
 INSTANTIATE_TEST_SUITE_P(Shape, Refuses, ::testing::ValuesIn(kShapes), name_of);
 INSTANTIATE_TEST_SUITE_P(Edit, Refuses, ::testing::ValuesIn(kEdits), name_of);
+INSTANTIATE_TEST_SUITE_P(Graph, Refuses, ::testing::ValuesIn(kGraphs), name_of);
 INSTANTIATE_TEST_SUITE_P(Option, Refuses, ::testing::ValuesIn(kOptions), name_of);
 INSTANTIATE_TEST_SUITE_P(Output, Refuses, ::testing::ValuesIn(kOutputs), name_of);
 INSTANTIATE_TEST_SUITE_P(Config, Refuses, ::testing::ValuesIn(kConfigs), name_of);
