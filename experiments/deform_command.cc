@@ -1,15 +1,14 @@
-#include <glog/logging.h>
-
 #include <cstdio>
 
 #include "experiments/commands.h"
 #include "experiments/config.h"
 #include "experiments/cuts.h"
+#include "experiments/deform_ending.h"
 #include "experiments/edit.h"
 #include "experiments/outputs.h"
 #include "experiments/override.h"
 #include "experiments/pictures.h"
-#include "experiments/results.h"
+#include "experiments/run.h"
 #include "geometry/error.h"
 #include "geometry/shape_io.h"
 
@@ -81,18 +80,10 @@ int deform_command(const std::vector<std::string>& arguments, const DeformFlags&
       make_deformer(options.method, rest, resolve_cuts(options.cut, rest));
   deformer->compile(edit.handles);
   const Report report = deformer->update(edit.targets);
-  for (const std::string& note : report.notes) LOG(WARNING) << note;
-  if (report.solve.status == Status::kFailed) {
-    std::fprintf(stderr, "deformlab: the solver failed: %s; nothing was written\n",
-                 report.solve.message.c_str());
-    return 1;
-  }
-  if (report.solve.status != Status::kConverged) LOG(WARNING) << report.solve.message;
-  Image picture;  // drawn before the first file is written, as drawing may fail
-  if (!flags.picture.empty()) picture = draw(*deformer, rest, edit, options.picture);
-  write_shape(flags.out, deformer->deformed(), arguments.front());  // first: it may be refused
-  if (!flags.metrics.empty()) write_text(flags.metrics, to_json(report));
-  if (!flags.picture.empty()) write_png(picture, flags.picture);
+  if (!has_ended_well(report)) return 1;
+  write_deformed(
+      report, flags, [&] { return draw(*deformer, rest, edit, options.picture); },
+      [&] { write_shape(flags.out, deformer->deformed(), arguments.front()); });
   print(report, flags.out);
   return 0;
 }

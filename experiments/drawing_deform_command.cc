@@ -5,13 +5,13 @@
 
 #include "experiments/commands.h"
 #include "experiments/config.h"
+#include "experiments/deform_ending.h"
 #include "experiments/depth_options.h"
 #include "experiments/drawing/write_drawing.h"
 #include "experiments/drawing_pictures.h"
 #include "experiments/methods.h"
 #include "experiments/outputs.h"
 #include "experiments/override.h"
-#include "experiments/results.h"
 #include "experiments/run.h"
 #include "geometry/error.h"
 #include "geometry/shape_io.h"
@@ -113,31 +113,24 @@ int deform_drawing(const std::vector<std::string>& arguments, const DeformFlags&
   check_stages(options, *deformer, flags);
   deformer->compile(edit.handles);
   const Report report = deformer->update(edit.targets);
-  for (const std::string& note : report.notes) LOG(WARNING) << note;
-  if (report.solve.status == Status::kFailed) {
-    std::fprintf(stderr, "deformlab: the solver failed: %s; nothing was written\n",
-                 report.solve.message.c_str());
-    return 1;
-  }
+  if (!has_ended_well(report)) return 1;
   const Eigen::Matrix2Xd V = deformer->deformed().V.topRows<2>();
   const Eigen::VectorXd depth = DrawingDepth(options.depth, scene.rest).update(V);
   const PicturedDrawing pictured{std::make_shared<BoundDrawing>(scene.drawing, scene.rest),
                                  scene.weights, edit};
-  Image picture;  // drawn before the first file is written, as drawing may fail
-  if (!flags.picture.empty()) {
+  const auto draw = [&] {
     DrawingBook pictures(options.picture);
     pictures.add_rest(pictured);
     pictures.add_deformed(pictured, V, depth, "deformed");
-    picture = pictures.render();
-  }
-  for (const auto& note : write_drawing(flags.out, *pictured.bound, V, depth, options.output)) {
-    LOG(WARNING) << note;
-  }
-  if (options.output.stages) {
+    return pictures.render();
+  };
+  write_deformed(report, flags, draw, [&] {
+    for (const auto& note : write_drawing(flags.out, *pictured.bound, V, depth, options.output)) {
+      LOG(WARNING) << note;
+    }
+    if (!options.output.stages) return;
     write_stages(dynamic_cast<const RigidShape&>(*deformer), scene.rest.F, flags.out);
-  }
-  if (!flags.metrics.empty()) write_text(flags.metrics, to_json(report));
-  if (!flags.picture.empty()) write_png(picture, flags.picture);
+  });
   print(report, scene, flags.out);
   return 0;
 }

@@ -51,6 +51,21 @@ class DrawingCommand : public Program {
   }
 };
 
+TEST_F(DrawingCommand, ByEmbeddedDeformationTellsHowItEnded) {
+  put_bitmap("bar.png", bar());
+  Words words = deform("bar.png", kEdit, "out.png");
+  words.insert(words.end(), {"--nodes", "20", "deformer=embedded_deformation"});
+  Words short_of_it = words, failing = words;
+  short_of_it.emplace_back("solver.max_iterations=1");
+  EXPECT_THAT(expect_success(short_of_it).err, HasSubstr("after solver.max_iterations steps"));
+  failing.insert(failing.end(), {"energies.rotation=1e308", "--metrics", "m.json"});
+  const auto before = contents();
+  const Ending ending = start(failing);
+  EXPECT_EQ(ending.status, 1);
+  EXPECT_THAT(ending.err, HasSubstr("the solver failed"));
+  EXPECT_THAT(changes_since(before), ::testing::IsEmpty());
+}
+
 TEST_F(DrawingCommand, BendsABitmap) {
   put_bitmap("bar.png", bar());
   Words words = deform("bar.png", kEdit, "out.png");
