@@ -112,7 +112,6 @@ void check(const CgalArapOptions& o) {
 
 CgalArap::CgalArap(Shape rest, const CgalArapOptions& options)
     : options_(options), rest_(std::move(rest)), deformed_(rest_) {
-  deformlab::check(rest_, "the shape");
   check(options_);
   {
     Stopwatch watch(seconds_["register"]);
@@ -122,25 +121,17 @@ CgalArap::CgalArap(Shape rest, const CgalArapOptions& options)
 }
 
 void CgalArap::register_shape() {
-  const Eigen::Matrix3Xi T = baselines::proper_triangles(rest_, "as-rigid-as-possible deformation");
+  auto [T, vertices, notes] = baselines::surface_of(rest_, "as-rigid-as-possible deformation");
   reject_thin(rest_.V, T);
   const std::string fault = manifold_fault(T, static_cast<int>(rest_.V.cols()));
   if (!fault.empty()) {
     throw InputError("the shape is no manifold mesh: " + fault +
                      "; mend it, or use embedded deformation, which takes any shape");
   }
+  vertices_ = std::move(vertices);
+  registration_notes_ = std::move(notes);
   place_.assign(rest_.V.cols(), -1);
-  for (const int v : T.reshaped()) place_[v] = 0;
-  for (int v = 0; v < std::ssize(place_); ++v) {
-    if (place_[v] < 0) continue;
-    place_[v] = static_cast<int>(vertices_.size());
-    vertices_.push_back(v);
-  }
-  if (const auto loose = rest_.V.cols() - std::ssize(vertices_); loose > 0) {
-    registration_notes_.push_back(
-        "vertices in no triangle, which move only where they are handles: " +
-        std::to_string(loose));
-  }
+  for (int i = 0; i < std::ssize(vertices_); ++i) place_[vertices_[i]] = i;
   V_ = rest_.V(Eigen::all, vertices_);
   T_ = T.unaryExpr([&](int v) { return place_[v]; });
   engine_ = make_engine(options_.variant, V_, T_);

@@ -34,22 +34,15 @@ void check(const PrimoOptions& o) {
 
 PrimoDeformation::PrimoDeformation(Shape rest, const PrimoOptions& options)
     : options_(options), rest_(std::move(rest)), deformed_(rest_) {
-  deformlab::check(rest_, "the shape");
   check(options_);
   {
     Stopwatch watch(seconds_["register"]);
-    const Eigen::Matrix3Xi T = baselines::proper_triangles(rest_, "PriMo");
-    unit_ = mean_side(rest_.V, T);
+    baselines::Surface surface = baselines::surface_of(rest_, "PriMo");
+    unit_ = mean_side(rest_.V, surface.T);
     V_ = rest_.V / unit_;
-    prisms_ = make_prisms(V_, T, options_.height * bounding_box_diagonal(V_));
+    prisms_ = make_prisms(V_, surface.T, options_.height * bounding_box_diagonal(V_));
     motions_ = RigidMotions::at_rest(prisms_);
-  }
-  std::vector<char> used(V_.cols(), 0);
-  for (const int v : prisms_.T.reshaped()) used[v] = 1;
-  if (const auto loose = std::count(used.begin(), used.end(), 0); loose > 0) {
-    registration_notes_.push_back(
-        "vertices in no triangle, which move only where they are handles: " +
-        std::to_string(loose));
+    registration_notes_ = std::move(surface.notes);
   }
   compile({});
 }

@@ -6,13 +6,7 @@
 #include "geometry/error.h"
 
 namespace deformlab::baselines {
-
-void refuse_points(const Handles& handles, const std::string& method) {
-  if (handles.points.cols() == 0) return;
-  throw InputError(std::to_string(handles.points.cols()) +
-                   " handles are no vertices of the shape, but " + method +
-                   " holds a surface by its vertices; name the nearest vertices instead");
-}
+namespace {
 
 Eigen::Matrix3Xi proper_triangles(const Shape& shape, const std::string& method) {
   const Eigen::Matrix3Xi all = triangles(shape);
@@ -26,6 +20,30 @@ Eigen::Matrix3Xi proper_triangles(const Shape& shape, const std::string& method)
   if (!proper.empty()) return all(Eigen::all, proper);
   throw InputError("the shape has no triangles (it is a set of points), and " + method +
                    " deforms surfaces; give a mesh, or use embedded deformation");
+}
+
+}  // namespace
+
+void refuse_points(const Handles& handles, const std::string& method) {
+  if (handles.points.cols() == 0) return;
+  throw InputError(std::to_string(handles.points.cols()) +
+                   " handles are no vertices of the shape, but " + method +
+                   " holds a surface by its vertices; name the nearest vertices instead");
+}
+
+Surface surface_of(const Shape& shape, const std::string& method) {
+  check(shape, "the shape");
+  Surface surface{proper_triangles(shape, method), {}, {}};
+  std::vector<char> used(shape.V.cols(), 0);
+  for (const int v : surface.T.reshaped()) used[v] = 1;
+  for (int v = 0; v < std::ssize(used); ++v) {
+    if (used[v]) surface.vertices.push_back(v);
+  }
+  if (const auto loose = std::ssize(used) - std::ssize(surface.vertices); loose > 0) {
+    surface.notes.push_back("vertices in no triangle, which move only where they are handles: " +
+                            std::to_string(loose));
+  }
+  return surface;
 }
 
 std::vector<int> components(int n, const std::vector<std::pair<int, int>>& links) {
