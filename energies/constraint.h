@@ -42,8 +42,7 @@ struct Constraint {
   /// All handles; until they are aimed they stay where they are.
   static Terms<Constraint> over(const DeformationGraph& graph, const Embedding& handles) {
     Terms<Constraint> sum{.arity = static_cast<int>(handles.nodes.rows())};
-    sum.elements.reserve(handles.v.cols());
-    sum.nodes.reserve(handles.nodes.size());
+    sum.reserve(handles.v.cols());
     for (int l = 0; l < handles.v.cols(); ++l) {
       const auto nodes = handles.nodes.col(l);
       const Point v = handles.v.col(l).template head<d>();

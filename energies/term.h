@@ -44,6 +44,11 @@ struct Terms {
   std::vector<int> nodes{};       ///< arity entries an element
   std::vector<double> weights{};  ///< one an element
 
+  void reserve(std::size_t count) {
+    elements.reserve(count);
+    nodes.reserve(count * arity);
+    weights.reserve(count);
+  }
   void add(const Term& element, std::span<const int> its_nodes, double weight = 1) {
     elements.push_back(element);
     nodes.insert(nodes.end(), its_nodes.begin(), its_nodes.end());
