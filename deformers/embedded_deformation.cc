@@ -12,6 +12,8 @@
 #include "deformers/hold.h"
 #include "deformers/reflections.h"
 #include "energies/catalog.h"
+#include "energies/rotation.h"
+#include "energies/rotation_vector.h"
 #include "geometry/error.h"
 #include "solvers/stopwatch.h"
 
@@ -82,14 +84,40 @@ void check_reflections(const std::string& name) {
   throw InputError("unknown reflections '" + name + "'; known: report, repair");
 }
 
+// E_rot of a rotation is nothing, whatever its weight; every other term has to have its rigid form.
+void check_rotation_model(const EmbeddedDeformationOptions& o) {
+  if (o.rotation_model == "affine") return;
+  if (o.rotation_model != "rigid") {
+    throw InputError("unknown rotation_model '" + o.rotation_model + "'; known: affine, rigid");
+  }
+  if (o.dimension != 3) {
+    throw InputError("rotation_model is rigid, which is for shapes in space, but dimension is " +
+                     std::to_string(o.dimension) + "; use rotation_model: affine");
+  }
+  const auto& known = known_rigid_energies();
+  for (const auto& [name, weight] : o.energies) {
+    const bool found =
+        std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == name; });
+    if (found || weight == 0 || name == Rotation<3>::kName) continue;
+    throw InputError("energies." + name + " is " + std::to_string(weight) +
+                     ", but rotation_model: rigid has no such term; make it 0, or use "
+                     "rotation_model: affine");
+  }
+}
+
+void check(const EmbeddedDeformationOptions& options, const Shape& rest) {
+  check_energies(options);
+  check_dimension(options.dimension, rest);
+  check_reflections(options.reflections);
+  check_rotation_model(options);
+}
+
 }  // namespace
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check_energies(options_);
-  check_dimension(options_.dimension, rest_);
-  check_reflections(options_.reflections);
+  check(options_, rest_);
   register_graph(build_graph(rest_, options_.graph, cuts));
 }
 
@@ -97,17 +125,14 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
                                          const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check_energies(options_);
-  check_dimension(options_.dimension, rest_);
-  check_reflections(options_.reflections);
+  check(options_, rest_);
   register_graph(build_graph(rest_, nodes, options_.graph, cuts));
 }
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
                                          const EmbeddedDeformationOptions& options)
     : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check_energies(options_);
-  check_dimension(options_.dimension, rest_);
+  check(options_, rest_);
   register_graph(build_graph(rest_, std::move(graph), options_.graph));
 }
 
@@ -146,6 +171,7 @@ void EmbeddedDeformation::repose(const Shape& rest, const Eigen::Matrix3Xd& node
 
 // R_j = I, t_j = 0, side by side.
 Eigen::MatrixXd EmbeddedDeformation::rest_unknowns(int m) const {
+  if (is_rigid()) return Eigen::MatrixXd::Zero(3, 2 * m);
   const int d = options_.dimension;
   return Eigen::MatrixXd::Identity(d, d + 1).replicate(1, m);
 }
@@ -154,7 +180,14 @@ Transformations EmbeddedDeformation::transformations() const {
   const int d = options_.dimension;
   Transformations X = rest_transformations(stage_.x.nodes());
   for (int j = 0; j < stage_.x.nodes(); ++j) {
-    const auto node = stage_.x.X.middleCols((d + 1) * j, d + 1);
+    const auto node = stage_.x.X.middleCols(stage_.x.first[j], stage_.x.columns(j));
+    if (is_rigid()) {
+      for (int a = 0; a < 3; ++a) {
+        X.col(4 * j + a) = turned<double>(node.col(0), Eigen::Vector3d::Unit(a));
+      }
+      X.col(4 * j + 3) = unit_ * node.col(1);
+      continue;
+    }
     X.block(0, 4 * j, d, d) = node.leftCols(d);
     X.block(0, 4 * j + 3, d, 1) = unit_ * node.col(d);
   }
@@ -202,12 +235,14 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   const DeformationGraph graph = scaled(graph_, 1 / unit_);
   const Embedding embedded = scaled(handles_, 1 / unit_);
   stage_.terms.clear();
-  for (const EnergyInfo& info : known_energies()) {
+  for (const EnergyInfo& info : is_rigid() ? known_rigid_energies() : known_energies()) {
     const auto named = options_.energies.find(info.name);
     const double weight = named != options_.energies.end() ? named->second : info.default_weight;
-    if (weight <= 0) continue;
+    if (!(weight > 0)) continue;
+    auto energy = is_rigid() ? make_rigid_energy(info.name, graph, embedded)
+                             : make_energy(info.name, graph, embedded, options_.dimension);
     const auto robust = options_.losses.find(info.name);
-    stage_.terms.push_back({make_energy(info.name, graph, embedded, options_.dimension), weight,
+    stage_.terms.push_back({std::move(energy), weight,
                             robust == options_.losses.end()
                                 ? nullptr
                                 : make_loss(robust->second, "losses." + info.name)});

@@ -33,6 +33,10 @@ struct EmbeddedDeformationOptions {
   /// out (det R < 0). report: that is counted and said. repair: they are turned back along their
   /// neighbours' normal and solved on.
   std::string reflections = "report";
+  /// affine: twelve unknowns a node, and E_rot draws R_j towards a rotation (the paper's). rigid: a
+  /// rotation vector and t_j, six; R_j is a rotation by construction, and E_rot is nothing. No term
+  /// is separable then.
+  std::string rotation_model = "affine";
   SolverOptions solver;
 
   template <class Self, class Visit>
@@ -44,6 +48,8 @@ struct EmbeddedDeformationOptions {
     visit("dimension", o.dimension, "3, or 2 for a shape in the plane, such as a drawing");
     visit.choice("reflections", o.reflections, {"report", "repair"},
                  "nodes where space is turned inside out: say so, or turn them back and solve on");
+    visit.choice("rotation_model", o.rotation_model, {"affine", "rigid"},
+                 "a node's unknowns: R_j and t_j, or a rotation vector and t_j (no E_rot)");
     visit("solver", o.solver, "how the energy is minimised");
   }
 };
@@ -78,11 +84,12 @@ class EmbeddedDeformation final : public Deformer {
   Transformations transformations() const;  ///< 3×4m, t_j [length]
   /// Where the transformations X (3×4m) take the handles that need be no vertices, 3×p [length].
   Eigen::Matrix3Xd points(const Transformations& X) const;
-  const Stage& stage() const { return stage_; }  ///< d×(d+1)m, in length_unit()s
+  const Stage& stage() const { return stage_; }  ///< d×(d+1)m or 3×2m, in length_unit()s
   double length_unit() const { return unit_; }
 
  private:
   void register_graph(BuiltGraph built);
+  bool is_rigid() const { return options_.rotation_model == "rigid"; }
   Eigen::MatrixXd rest_unknowns(int m) const;
   void fix_nodes(const Handles& handles);
   void carry_along(const Eigen::Matrix3Xd& targets);

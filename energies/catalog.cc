@@ -38,25 +38,47 @@ const std::vector<Entry>& catalog() {
   return all;
 }
 
-}  // namespace
-
-const std::vector<EnergyInfo>& known_energies() {
-  static const std::vector<EnergyInfo> infos = [] {
-    std::vector<EnergyInfo> result;
-    for (const Entry& entry : catalog<3>()) result.push_back(entry.info);
-    return result;
-  }();
-  return infos;
+const std::vector<Entry>& rigid_catalog() {
+  static const std::vector<Entry> all = entries(RigidTerms{});
+  return all;
 }
 
-std::unique_ptr<Energy> make_energy(std::string_view name, const DeformationGraph& graph,
-                                    const Embedding& handles, int d) {
+std::vector<EnergyInfo> infos_of(const std::vector<Entry>& all) {
+  std::vector<EnergyInfo> result;
+  for (const Entry& entry : all) result.push_back(entry.info);
+  return result;
+}
+
+std::unique_ptr<Energy> make_named(const std::vector<Entry>& all, std::string_view name,
+                                   const DeformationGraph& graph, const Embedding& handles) {
   std::string known;
-  for (const Entry& entry : d == 2 ? catalog<2>() : catalog<3>()) {
+  for (const Entry& entry : all) {
     if (entry.info.name == name) return entry.make(graph, handles);
     known += (known.empty() ? "" : ", ") + entry.info.name;
   }
   throw InputError("unknown energy '" + std::string(name) + "'; known: " + known);
+}
+
+}  // namespace
+
+const std::vector<EnergyInfo>& known_energies() {
+  static const std::vector<EnergyInfo> infos = infos_of(catalog<3>());
+  return infos;
+}
+
+const std::vector<EnergyInfo>& known_rigid_energies() {
+  static const std::vector<EnergyInfo> infos = infos_of(rigid_catalog());
+  return infos;
+}
+
+std::unique_ptr<Energy> make_rigid_energy(std::string_view name, const DeformationGraph& graph,
+                                          const Embedding& handles) {
+  return make_named(rigid_catalog(), name, graph, handles);
+}
+
+std::unique_ptr<Energy> make_energy(std::string_view name, const DeformationGraph& graph,
+                                    const Embedding& handles, int d) {
+  return make_named(d == 2 ? catalog<2>() : catalog<3>(), name, graph, handles);
 }
 
 }  // namespace deformlab

@@ -20,6 +20,12 @@ struct EnergyInfo {
 /// Every registered term, in the order of the list.
 const std::vector<EnergyInfo>& known_energies();
 
+/// The terms of nodes that are rotations by construction (energies/rotation_vector.h), summed
+/// likewise, with their weights where none is named. They have the names of those they stand for.
+const std::vector<EnergyInfo>& known_rigid_energies();
+std::unique_ptr<Energy> make_rigid_energy(std::string_view name, const DeformationGraph& graph,
+                                          const Embedding& handles);
+
 /// The named term, summed over a graph and its handles. `handles` are embedded in the same graph,
 /// in the same unit of length. d = 2 is the term of the plane, for which the z of both counts
 /// nothing. Throws InputError for an unknown name.

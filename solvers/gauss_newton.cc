@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "geometry/error.h"
 #include "solvers/blas.h"
 #include "solvers/stopwatch.h"
 
@@ -26,6 +27,18 @@ constexpr double kFirstDamping = 1e-4, kLeastDamping = 1e-16, kMostDamping = 1e1
 constexpr double kRegularization = 1e-10;  // relative, of a singular JᵀJ
 constexpr double kRounding = 1e-13;        // of 1 + F, as in Eq. 12: less is not uphill
 
+// Conjugate gradients are preconditioned by the terms that declare themselves separable.
+void check_separable(const Stage& stage) {
+  std::string names;
+  for (const auto& [energy, weight] : stage.terms) {
+    if (energy->structure() == Structure::kSeparable) return;
+    names += (names.empty() ? "" : ", ") + std::string(energy->name());
+  }
+  if (names.empty()) return;
+  throw InputError("solver.linear_solver is separable_cg, but of the terms (" + names +
+                   ") none is separable; use auto, cholmod or eigen_ldlt");
+}
+
 }  // namespace
 
 GaussNewton::GaussNewton(const SolverOptions& options) : options_(options) {
@@ -34,6 +47,7 @@ GaussNewton::GaussNewton(const SolverOptions& options) : options_(options) {
 
 void GaussNewton::compile(const Stage& stage) {
   check(stage);
+  if (options_.linear_solver == "separable_cg") check_separable(stage);
   choice_ = {options_.linear_solver, ""};
   if (options_.linear_solver != "auto") return use(choice_.name, stage);
   choice_ = choose_step_solver(stage);

@@ -41,6 +41,8 @@ template <class Term>
 Unknowns rest_of(const Problem& problem) {
   if constexpr (requires { Term::rest(problem.mesh); }) {
     return Term::rest(problem.mesh);
+  } else if constexpr (requires { Term::rest(problem.graph); }) {
+    return Term::rest(problem.graph);
   } else if constexpr (
       requires { Term::over(problem.mesh, problem.weights); } ||
       requires { Term::over(problem.mesh, problem.places); }) {

@@ -5,6 +5,7 @@ namespace {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(InSpace, Laws, MembersOf<GraphTerms<3>>::Types, TermNames);
 INSTANTIATE_TYPED_TEST_SUITE_P(InThePlane, Laws, MembersOf<GraphTerms<2>>::Types, TermNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(OfRigidNodes, Laws, MembersOf<RigidTerms>::Types, TermNames);
 INSTANTIATE_TYPED_TEST_SUITE_P(OverTriangles, Laws, MembersOf<TriangleTerms>::Types, TermNames);
 
 // What follows breaks one law each: the laws must notice.
