@@ -24,14 +24,6 @@ bool is_wanted(const std::string& value, const ConfigNode& wanted) {
                      [&](const ConfigNode& one) { return value == to_yaml_line(one); });
 }
 
-bool matches(const MeasuredRun& run, const ConfigNode& filter) {
-  return std::all_of(filter.children.begin(), filter.children.end(), [&](const ConfigNode& wanted) {
-    return std::any_of(run.settings.begin(), run.settings.end(), [&](const auto& setting) {
-      return setting.first == wanted.key && is_wanted(setting.second, wanted);
-    });
-  });
-}
-
 double metric(const Metrics& metrics, const Claim& claim, const std::string& measure) {
   const auto found = metrics.find(measure);
   if (found != metrics.end()) return found->second;
@@ -118,6 +110,14 @@ std::string expected(const Claim& claim) {
 }
 
 }  // namespace
+
+bool matches(const MeasuredRun& run, const ConfigNode& filter) {
+  return std::all_of(filter.children.begin(), filter.children.end(), [&](const ConfigNode& wanted) {
+    return std::any_of(run.settings.begin(), run.settings.end(), [&](const auto& setting) {
+      return setting.first == wanted.key && is_wanted(setting.second, wanted);
+    });
+  });
+}
 
 std::string ClaimResult::line() const {
   std::string text = "claim " + name + ": measured " + number(measured) + ", expected " + expected;

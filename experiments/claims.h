@@ -58,6 +58,10 @@ struct ClaimResult {
   std::string line() const;
 };
 
+/// Whether a run was set as a map of dotted keys says: to their values, or to one of a list of
+/// them.
+bool matches(const MeasuredRun& run, const ConfigNode& filter);
+
 /// Throws InputError where a claim expects nothing, or in a way that cannot hold.
 void check_form(const Claim& claim);
 

@@ -68,6 +68,8 @@ Run run_drawing(const ExperimentConfig& config, const std::filesystem::path& fol
                                  scene.weights, edit};
   const double size = bounding_box_diagonal(rest.V);
   Run run;
+  run.V = deformer->deformed().V;
+  run.size = size;
   run.solve = report.solve;
   run.notes = scene.drawing.notes;
   run.notes.insert(run.notes.end(), report.notes.begin(), report.notes.end());

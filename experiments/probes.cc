@@ -1,7 +1,5 @@
 #include "experiments/probes.h"
 
-#include <cmath>
-
 #include "experiments/config.h"
 #include "geometry/error.h"
 
@@ -35,13 +33,6 @@ Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size) {
     for (int c = 0; c < 3; ++c) m[name + "xyz"[c]] = way(c, i) / size;
   }
   return m;
-}
-
-Metrics reference_metrics(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xd& reference,
-                          double size) {
-  const Eigen::RowVectorXd squared = (V - reference).colwise().squaredNorm();
-  return {{"reference_rms", std::sqrt(squared.mean()) / size},
-          {"reference_max", std::sqrt(squared.maxCoeff()) / size}};
 }
 
 }  // namespace deformlab

@@ -24,8 +24,7 @@ struct MeasureOptions {
           "0: it is not measured");
     visit("probes", o.probes, "places at rest whose way is measured: a list of coordinates");
     visit("reference", o.reference,
-          "another edit of the shape, as `edit` has it: the distance to what it gives without "
-          "losses is measured");
+          "the run of a sweep that each is compared with: dotted keys and their values");
   }
 };
 
@@ -38,10 +37,5 @@ Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d);
 
 /// probe_1_x, probe_1_y, probe_1_z, …: how far each probe went (3×n), in units of `size`.
 Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size);
-
-/// reference_rms and reference_max: how far the vertices V (3×n) are from where they should be, in
-/// units of `size`.
-Metrics reference_metrics(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xd& reference,
-                          double size);
 
 }  // namespace deformlab

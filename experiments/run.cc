@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "energies/catalog.h"
 #include "experiments/animation/animation_run.h"
@@ -9,6 +10,7 @@
 #include "experiments/config.h"
 #include "experiments/cuts.h"
 #include "experiments/drawing_run.h"
+#include "experiments/reference.h"
 #include "experiments/shape_run.h"
 #include "experiments/suggest.h"
 #include "geometry/error.h"
@@ -83,14 +85,6 @@ bool is_drawing(const ExperimentConfig& config) { return !config.drawing.file.em
 bool is_animation(const ExperimentConfig& config) { return config.animation.generator != "none"; }
 
 void check_edit(const ExperimentConfig& config) {
-  const ConfigNode& reference = config.measure.reference;
-  if (reference.kind != ConfigNode::Kind::kNull) {
-    if (is_animation(config) || is_drawing(config)) {
-      throw InputError("measure.reference (" + reference.where() +
-                       ") is measured of a shape; leave it out");
-    }
-    read_edit(reference);
-  }
   if (is_animation(config)) {
     check(config.animation, config.edit);
   } else if (is_drawing(config)) {
@@ -109,11 +103,12 @@ struct Plan {
   ExperimentConfig config;
   std::vector<SweptRun> combinations;
   std::vector<ExperimentConfig> runs;
+  std::optional<std::size_t> reference;  ///< the run that all are compared with
 };
 
 Plan plan(const std::filesystem::path& path, const std::vector<Override>& overrides) {
   const ConfigNode root = with_overrides(load_config(path), overrides);
-  Plan result{read(root), {}, {}};
+  Plan result{read(root), {}, {}, {}};
   check_picture(result.config.picture);
   for (const Claim& claim : result.config.claims) check_form(claim);
   check_not_swept(overrides, result.config.sweep);
@@ -125,6 +120,9 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
     check(result.runs.back().drag);
     check(result.runs.back().measure);
     check_edit(result.runs.back());
+  }
+  if (result.config.measure.reference.kind != ConfigNode::Kind::kNull) {
+    result.reference = find_reference(result.config.measure.reference, result.combinations);
   }
   return result;
 }
@@ -192,7 +190,7 @@ void check_experiment(const std::filesystem::path& path, const std::vector<Overr
 
 Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        const Progress& progress) {
-  const auto [config, combinations, configs] = plan(path, overrides);
+  const auto [config, combinations, configs, reference] = plan(path, overrides);
   Outcome outcome;
   outcome.config = config;
   outcome.resolved = to_node(outcome.config);
@@ -204,6 +202,9 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
     const std::string caption = configs.size() > 1 ? label(settings) : "deformed";
     outcome.runs.push_back(books.run(configs[i], path.parent_path(), caption));
     outcome.runs.back().measured.settings = settings.settings;
+  }
+  for (Run& run : outcome.runs) {
+    if (reference) run.measured.metrics.merge(difference(run, outcome.runs[*reference]));
   }
   const std::vector<MeasuredRun> measured = with_seconds(outcome.runs);
   for (const Claim& claim : outcome.config.claims) outcome.claims.push_back(check(claim, measured));

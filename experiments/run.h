@@ -18,6 +18,8 @@ struct Run {
   Metrics seconds;
   Summary solve;
   std::vector<std::string> notes;
+  Eigen::Matrix3Xd V{};  ///< where the vertices of a shape or a drawing went, 3×#V
+  double size = 1;       ///< diagonal of its bounding box at rest, in the same unit
 };
 
 /// All that an experiment gave.

@@ -20,17 +20,6 @@ std::vector<int> nearest_vertices(const Shape& shape, const Eigen::Matrix3Xd& pl
   return result;
 }
 
-// Where the reference edit takes the vertices.
-Eigen::Matrix3Xd reference(const ExperimentConfig& config, const Shape& rest) {
-  MethodOptions method = config.method;
-  method.deformation.losses.clear();
-  const ResolvedEdit edit = resolve(read_edit(config.measure.reference), rest);
-  const auto deformer = make_deformer(method, rest, resolve_cuts(config.cut, rest));
-  deformer->compile(edit.handles);
-  drag(*deformer, rest, edit, config.drag);
-  return deformer->deformed().V;
-}
-
 }  // namespace
 
 Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folder,
@@ -50,6 +39,8 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
   run.measured.metrics = metrics_of(report);
   run.measured.metrics.insert(metrics.begin(), metrics.end());
   const double size = bounding_box_diagonal(rest.V);
+  run.V = deformer->deformed().V;
+  run.size = size;
   run.measured.metrics["vertices"] = static_cast<double>(rest.V.cols());
   run.measured.metrics["components"] = count_components(rest);
   run.measured.metrics["handles"] = static_cast<double>(edit.handles.targets());
@@ -65,10 +56,6 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
   const std::vector<int> probes = nearest_vertices(rest, read_probes(config.measure.probes, 3));
   const Eigen::Matrix3Xd way = (deformer->deformed().V - rest.V)(Eigen::all, probes);
   run.measured.metrics.merge(probe_metrics(way, size));
-  if (config.measure.reference.kind != ConfigNode::Kind::kNull) {
-    run.measured.metrics.merge(
-        reference_metrics(deformer->deformed().V, reference(config, rest), size));
-  }
   if (embedded) run.measured.metrics.merge(node_shear(embedded->transformations()));
   if (first) pictures.add_rest(*deformer, rest, edit);
   pictures.add_deformed(*deformer, edit, caption);
