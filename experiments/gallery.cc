@@ -30,13 +30,28 @@ std::string claim_line(const Json& claim) {
   return line + (known.empty() ? "" : ": " + known) + " |\n";
 }
 
+// A link for each picture of an image sequence.
+std::string sequence_line(const fs::path& folder) {
+  std::error_code none;
+  std::set<std::string> names;  // sorted
+  for (const auto& entry : fs::directory_iterator(folder / "frames", none)) {
+    if (entry.path().extension() == ".png") names.insert(entry.path().stem().string());
+  }
+  if (names.empty()) return "";
+  std::string text = "Picture by picture:";
+  for (const std::string& name : names) {
+    text += " [" + name + "](" + folder.filename().string() + "/frames/" + name + ".png)";
+  }
+  return text + "\n\n";
+}
+
 std::string section(const fs::path& folder) {
   const Json metrics = Json::parse(contents(folder / "metrics.json"));
   const std::string name = folder.filename().string();
   std::string text = "## " + name + "\n\n" + metrics.value("title", "") + "\n\n";
   const std::string paper = metrics.value("paper", "");
   if (!paper.empty()) text += "> " + paper + "\n\n";
-  text += "![" + name + "](" + name + "/picture.png)\n\n";
+  text += "![" + name + "](" + name + "/picture.png)\n\n" + sequence_line(folder);
   if (metrics.contains("claims") && !metrics["claims"].empty()) {
     text += "| claim | it says | measured | expected | |\n|---|---|---|---|---|\n";
     for (const Json& claim : metrics["claims"]) text += claim_line(claim);
@@ -68,7 +83,8 @@ void write_gallery(const fs::path& results) {
       "# Results\n\nMade by `./deformlab run configs/*.yaml`, which rewrites this page. Beside "
       "each "
       "picture lie the config with every default (config.yaml), all measurements (metrics.json), "
-      "the solves step by step (trace*.csv), and what depends on the machine: times.json and "
+      "the solves step by step (trace*.csv), an animation's pictures one by one (frames/), and "
+      "what depends on the machine: times.json and "
       "environment.json.\n\n";
   for (const fs::path& folder : folders) text += section_or_nothing(folder);
   text.pop_back();

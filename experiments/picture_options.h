@@ -5,6 +5,8 @@
 
 namespace deformlab {
 
+struct RenderOptions;
+
 /// What a config's picture shows.
 struct PictureOptions {
   Eigen::Vector3d direction{0.5, 1.0, -0.6};
@@ -34,5 +36,8 @@ struct PictureOptions {
     visit("stages", o.stages, "of a rigid shape: panels of step one and of the fitted triangles");
   }
 };
+
+/// How a panel of such a picture is rendered.
+RenderOptions render_options(const PictureOptions& options);
 
 }  // namespace deformlab

@@ -89,12 +89,7 @@ void PictureBook::add_deformed(const Deformer& deformer, const ResolvedEdit& edi
 }
 
 Image PictureBook::render() const {
-  RenderOptions options;
-  options.width = options_.width;
-  options.height = options_.height;
-  options.camera.direction = options_.direction;
-  options.camera.up = options_.up;
-  options.light = options_.light;
+  const RenderOptions options = render_options(options_);
   const int wanted = options_.columns > 0 ? options_.columns : panels_.size() <= 2 ? 2 : 4;
   const int columns = std::min<int>(wanted, static_cast<int>(panels_.size()));
   if (are_alike(shapes_)) return render_grid(panels_, options, columns);

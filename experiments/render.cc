@@ -202,14 +202,19 @@ Image render(const Panel& panel, const View& view, const RenderOptions& options)
   return image;
 }
 
-Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns) {
+std::vector<Image> render_alike(const std::vector<Panel>& panels, const RenderOptions& options) {
   const View view = frame(extent(panels), options.camera, options.width, options.height);
   std::vector<Image> images;
   for (const Panel& panel : panels) images.push_back(render(panel, view, options));
   images = cropped_alike(images, options.width / 40);
   for (std::size_t i = 0; i < panels.size(); ++i)
     images[i] = with_caption(images[i], panels[i].caption);
-  return grid(images, columns > 0 ? columns : std::max(1, static_cast<int>(panels.size())));
+  return images;
+}
+
+Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns) {
+  const int all = std::max(1, static_cast<int>(panels.size()));
+  return grid(render_alike(panels, options), columns > 0 ? columns : all);
 }
 
 }  // namespace deformlab

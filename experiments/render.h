@@ -69,8 +69,11 @@ Eigen::Matrix3Xd extent(const std::vector<Panel>& panels);
 /// none nor one a vertex.
 Image render(const Panel& panel, const View& view, const RenderOptions& options);
 
-/// All panels as one camera sees them, framed together, margins cut alike, each over its caption,
-/// in `columns` columns (0: one row). Throws InputError as `render` and `grid` do.
+/// A picture of each panel as one camera sees them, framed together, margins cut alike, each over
+/// its caption. Throws InputError as `render` does.
+std::vector<Image> render_alike(const std::vector<Panel>& panels, const RenderOptions& options);
+
+/// The same pictures in `columns` columns (0: one row). Throws InputError as `grid` does too.
 Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns = 0);
 
 }  // namespace deformlab

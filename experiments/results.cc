@@ -18,6 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kFrames = "frames";
+
 // Columns of a sweep's table, beside the keys that it sweeps.
 constexpr const char* kTableMetrics[] = {"iterations",          "converged", "cost",
                                          "handle_rms_relative", "min_det_R", "shear_mean",
@@ -95,6 +97,12 @@ std::string trace_csv(const Summary& solve) {
   return csv.str();
 }
 
+std::string picture_name(std::size_t i) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%04zu.png", i);
+  return name;
+}
+
 std::string trace_name(std::size_t run, std::size_t runs) {
   if (runs == 1) return "trace.csv";
   char name[32];
@@ -142,7 +150,10 @@ std::string table_md(const Outcome& outcome) {
   return text;
 }
 
-bool is_trace(const fs::path& name) { return name.string().starts_with("trace"); }
+// What not every run of a config writes, so that an older run's could be left.
+bool may_be_outdated(const fs::path& name) {
+  return name.string().starts_with("trace") || name == "table.md" || name == kFrames;
+}
 
 }  // namespace
 
@@ -189,7 +200,7 @@ void AtomicFolder::commit() {
     if (fs::exists(target_)) {
       for (const auto& entry : fs::directory_iterator(target_)) {  // what others put there stays
         const fs::path name = entry.path().filename();
-        if (fs::exists(temporary_ / name) || is_trace(name) || name == "table.md") continue;
+        if (fs::exists(temporary_ / name) || may_be_outdated(name)) continue;
         fs::copy(entry.path(), temporary_ / name, fs::copy_options::recursive);
       }
       fs::rename(target_, old);
@@ -211,6 +222,10 @@ void write_results(const Outcome& outcome, const fs::path& folder) {
   }
   if (outcome.runs.size() > 1) write_text(folder / "table.md", table_md(outcome));
   write_png(outcome.picture, folder / "picture.png");
+  if (!outcome.frames.empty()) fs::create_directory(folder / kFrames);
+  for (std::size_t i = 0; i < outcome.frames.size(); ++i) {
+    write_png(outcome.frames[i], folder / kFrames / picture_name(i));
+  }
 }
 
 std::string to_json(const Report& report) {

@@ -29,7 +29,8 @@ class AtomicFolder {
 
 /// Writes into `folder`: config.yaml (with every default), metrics.json, environment.json,
 /// times.json (all seconds; the other files are the same bytes in every run), a trace of each solve
-/// (trace.csv, or trace_001.csv … of a sweep), table.md of a sweep, picture.png.
+/// (trace.csv, or trace_001.csv … of a sweep), table.md of a sweep, picture.png, and of an
+/// animation that is to be an image sequence frames/0000.png …
 void write_results(const Outcome& outcome, const std::filesystem::path& folder);
 
 /// Writes `text` whole or not at all. Throws InputError where it cannot.

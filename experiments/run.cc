@@ -139,7 +139,7 @@ class Books {
       return run_drawing(config, folder, caption, drawings_.empty(), drawings_);
     }
     if (is_animation(config)) {
-      return run_animation(config, caption, animations_.empty(), animations_);
+      return run_animation(config, caption, animations_);
     }
     return run_shape(config, folder, caption, shapes_.empty(), shapes_);
   }
@@ -149,9 +149,10 @@ class Books {
     std::vector<Image> images;
     if (!drawings_.empty()) images.push_back(drawings_.render());
     if (!shapes_.empty()) images.push_back(shapes_.render());
-    if (!animations_.empty()) images.push_back(animations_.render());
+    if (!animations_.empty()) images.push_back(animations_.sheet());
     return images.size() == 1 ? images.front() : grid(images, 1);
   }
+  std::vector<Image> sequence(int width) const { return animations_.sequence(width); }
 
  private:
   DrawingBook drawings_;
@@ -209,6 +210,7 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
   const std::vector<MeasuredRun> measured = with_seconds(outcome.runs);
   for (const Claim& claim : outcome.config.claims) outcome.claims.push_back(check(claim, measured));
   outcome.picture = books.render();
+  outcome.frames = books.sequence(outcome.config.animation.sequence.width);
   return outcome;
 }
 

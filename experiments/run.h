@@ -29,6 +29,7 @@ struct Outcome {
   std::vector<Run> runs;
   std::vector<ClaimResult> claims;
   Image picture;
+  std::vector<Image> frames;  ///< of an animation that is to be an image sequence
 };
 
 /// Weights are a map, whose keys only the catalog of energies knows: throws InputError for another

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "experiments/animation/animation_pictures.h"
 #include "experiments/animation/script.h"
 
 namespace deformlab {
@@ -17,6 +18,7 @@ struct AnimationOptions {
   std::optional<int> path;
   ConfigNode watch;
   int pictured = 6;
+  SequenceOptions sequence;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -29,6 +31,7 @@ struct AnimationOptions {
     visit("path", o.path, "id of the particle whose path carries the graph; else it is chosen");
     visit("watch", o.watch, "a selection of vertices that is measured by itself, as watched.…");
     visit("pictured", o.pictured, "frames in the picture, evenly spread");
+    visit("sequence", o.sequence, "its frames one by one, as pictures in a folder beside it");
   }
 };
 

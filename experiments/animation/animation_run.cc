@@ -3,9 +3,9 @@
 #include <glog/logging.h>
 
 #include "deformers/animated_deformation.h"
-#include "experiments/animation/coherence.h"
 #include "experiments/animation/gallop.h"
 #include "experiments/animation/jet.h"
+#include "experiments/animation/mesh_measurements.h"
 #include "experiments/animation/solve_log.h"
 #include "experiments/animation/stream_editor.h"
 #include "experiments/animation/stream_measurements.h"
@@ -24,81 +24,16 @@ Selection watched(const ConfigNode& node) {
   return selection;
 }
 
-std::vector<int> pictured_frames(const AnimationOptions& o) {
-  std::vector<int> frames;
-  for (int i = 0; i < o.pictured; ++i) {
-    frames.push_back(static_cast<int>(std::int64_t{i} * o.frames / o.pictured));
-  }
-  return frames;
+std::vector<int> watched_vertices(const AnimationOptions& o, const Shape& pose) {
+  if (o.watch.kind == ConfigNode::Kind::kNull) return {};
+  return select_vertices(watched(o.watch), pose, "animation.watch");
 }
 
-// What of a run goes into the contact sheet, whose rows are filled one after the other.
-class Sheet {
- public:
-  Sheet(const AnimationOptions& options, bool with_input) : with_input_(with_input) {
-    for (const int frame : pictured_frames(options)) frames_.emplace(frame, Panels{});
-  }
+SeenFrames frames_to_see(const AnimationOptions& o) {
+  return {evenly_spread({0, o.frames - 1}, o.pictured), o.sequence};
+}
 
-  bool wants(int frame) const { return frames_.contains(frame); }
-  void add(int frame, Shape input, Shape output, const Eigen::Matrix3Xd& handles) {
-    frames_[frame] = {std::move(input), std::move(output), handles};
-  }
-
-  void show(const DeformationGraph& graph, const std::string& caption, AnimationBook& book) const {
-    book.set_columns(static_cast<int>(frames_.size()));
-    bool first = true;
-    for (const auto& [frame, panels] : frames_) {
-      if (!with_input_) break;
-      book.add(panels.input, Eigen::Matrix3Xd(3, 0), "frame " + std::to_string(frame));
-      if (first) book.add_graph(graph, true);
-      first = false;
-    }
-    for (const auto& [frame, panels] : frames_) {
-      book.add(panels.output, panels.handles, caption + ", frame " + std::to_string(frame));
-    }
-  }
-
- private:
-  struct Panels {
-    Shape input, output;
-    Eigen::Matrix3Xd handles;
-  };
-  bool with_input_;
-  std::map<int, Panels> frames_;
-};
-
-// The measurements that only meshes allow.
-class MeshMeasurements {
- public:
-  explicit MeshMeasurements(std::vector<int> watched)
-      : watched_(std::move(watched)), coherence_of_watched_(watched_) {}
-
-  void add(const Shape& input, const Shape& output) {
-    coherence_.add(input.V, output.V);
-    keep_greatest(greatest_, distortion(input, output));
-    if (watched_.empty()) return;
-    coherence_of_watched_.add(input.V, output.V);
-    const double turn = turn_between(input.V(Eigen::all, watched_), output.V(Eigen::all, watched_));
-    keep_greatest(greatest_, {{"watched.turn_max", turn},
-                              {"watched.edge_error", edge_error(input, output.V, watched_)}});
-    keep_least(least_, {{"watched.turn_min", turn}});
-  }
-
-  Metrics metrics() const {
-    Metrics all = coherence_.metrics();
-    all.insert(greatest_.begin(), greatest_.end());
-    all.insert(least_.begin(), least_.end());
-    if (!watched_.empty()) all.merge(coherence_of_watched_.metrics("watched."));
-    return all;
-  }
-
- private:
-  std::vector<int> watched_;
-  Coherence coherence_, coherence_of_watched_;
-  Metrics greatest_, least_;
-};
-
-Run run_gallop(const ExperimentConfig& config, const std::string& caption, bool first,
+Run run_gallop(const ExperimentConfig& config, const std::string& caption,
                AnimationBook& pictures) {
   const AnimationOptions& o = config.animation;
   const Gallop gallop(o.cell);
@@ -108,30 +43,26 @@ Run run_gallop(const ExperimentConfig& config, const std::string& caption, bool 
   const Shape pose = frame_of(script.pose.value_or(0));
   AnimatedDeformation deformer(pose, config.method.deformation);
   deformer.compile(motion.handles());
-  const bool watches = o.watch.kind != ConfigNode::Kind::kNull;
-  MeshMeasurements measurements(watches ? select_vertices(watched(o.watch), pose, "animation.watch")
-                                        : std::vector<int>());
+  MeshMeasurements measurements(watched_vertices(o, pose));
   SolveLog log;
-  Sheet sheet(o, first);
+  SeenFrames seen = frames_to_see(o);
   const double size = bounding_box_diagonal(pose.V);
   for (int frame = 0; frame < o.frames; ++frame) {
     const Shape input = frame_of(frame);
     log.add(deformer.update(input, motion.offsets(frame)), size);
     measurements.add(input, deformer.deformed());
-    if (!sheet.wants(frame)) continue;
-    sheet.add(frame, input, deformer.deformed(),
-              deformer.deformed().V(Eigen::all, motion.handles().moved));
+    if (!seen.wants(frame)) continue;
+    seen.add(frame, {input, deformer.deformed(),
+                     deformer.deformed().V(Eigen::all, motion.handles().moved)});
   }
   deformer.update(pose, motion.offsets(0));  // the graph of the first panel
-  sheet.show(deformer.deformation().graph(), caption, pictures);
+  pictures.add(seen, deformer.deformation().graph(), caption);
   Run run = log.run();
   run.measured.metrics["vertices"] = static_cast<double>(pose.V.cols());
   run.measured.metrics["handles"] = static_cast<double>(motion.handles().targets());
   run.measured.metrics.merge(measurements.metrics());
   return run;
 }
-
-Shape points(const Eigen::Matrix3Xd& places) { return {places, Eigen::Matrix3Xd(3, 0), {}}; }
 
 double node_motion(const StreamDeformation& stream) {
   const Eigen::Matrix3Xd& g = stream.path().V;
@@ -141,15 +72,14 @@ double node_motion(const StreamDeformation& stream) {
   return sum / static_cast<double>(g.cols()) / bounding_box_diagonal(g);
 }
 
-Run run_jet(const ExperimentConfig& config, const std::string& caption, bool first,
-            AnimationBook& pictures) {
+Run run_jet(const ExperimentConfig& config, const std::string& caption, AnimationBook& pictures) {
   const AnimationOptions& o = config.animation;
   const Jet jet(o.frames);
   StreamEditor editor(jet, read_script(config.edit, o.keyframes), config.method.deformation,
                       o.path);
   StreamMeasurements measurements;
   SolveLog log;
-  Sheet sheet(o, first);
+  SeenFrames seen = frames_to_see(o);
   const double size = bounding_box_diagonal(editor.stream().path().V);
   int solves = 0;
   jet.for_each_frame([&](int frame, ParticleFrame rows) {
@@ -157,11 +87,11 @@ Run run_jet(const ExperimentConfig& config, const std::string& caption, bool fir
     if (editor.solves() > solves) log.add(editor.report(), size);
     solves = editor.solves();
     measurements.add(editor.stream(), rows, edited);
-    if (sheet.wants(frame)) {
-      sheet.add(frame, points(places_of(rows)), points(edited), editor.handles());
+    if (seen.wants(frame)) {
+      seen.add(frame, {as_points(places_of(rows)), as_points(edited), editor.handles()});
     }
   });
-  sheet.show(editor.stream().deformation().graph(), caption, pictures);
+  pictures.add(seen, editor.stream().deformation().graph(), caption);
   Run run = log.run();
   run.measured.metrics["handles"] = static_cast<double>(editor.motion().handles().targets());
   run.measured.metrics["node_motion"] = node_motion(editor.stream());
@@ -185,18 +115,19 @@ void check(const AnimationOptions& o, const ConfigNode& edit) {
                      std::to_string(o.cell) +
                      "; a cycle has a positive length, a cell 0.01 to 0.06");
   }
+  check(o.sequence, o.frames);
   if (o.watch.kind != ConfigNode::Kind::kNull) watched(o.watch);
   read_script(edit, o.keyframes);
 }
 
-Run run_animation(const ExperimentConfig& config, const std::string& caption, bool first,
+Run run_animation(const ExperimentConfig& config, const std::string& caption,
                   AnimationBook& pictures) {
   const std::string& method = config.method.deformer;
   if (method != "auto" && method != "embedded_deformation") {
     throw InputError("deformer '" + method + "' takes no animation; embedded_deformation does");
   }
-  Run run = config.animation.generator == "jet" ? run_jet(config, caption, first, pictures)
-                                                : run_gallop(config, caption, first, pictures);
+  Run run = config.animation.generator == "jet" ? run_jet(config, caption, pictures)
+                                                : run_gallop(config, caption, pictures);
   for (const std::string& note : run.notes) LOG(WARNING) << note;
   return run;
 }

@@ -62,6 +62,8 @@ Eigen::Matrix3Xd places_of(ParticleFrame rows) {
   return places;
 }
 
+Shape as_points(const Eigen::Matrix3Xd& places) { return {places, Eigen::Matrix3Xd(3, 0), {}}; }
+
 ParticleCache::ParticleCache(std::filesystem::path path) : path_(std::move(path)) {
   ParticleReader reader(path_);
   bool ordered = true;

@@ -5,6 +5,7 @@
 
 #include "experiments/animation/frame_pattern.h"
 #include "experiments/animation/particle_rows.h"
+#include "geometry/shape.h"
 
 namespace deformlab {
 
@@ -13,6 +14,9 @@ using ParticleFrame = std::span<const ParticleRow>;
 
 /// The places of a frame's particles, 3×#rows [length].
 Eigen::Matrix3Xd places_of(ParticleFrame rows);
+
+/// A shape of points alone, at `places` (3×n) [length].
+Shape as_points(const Eigen::Matrix3Xd& places);
 
 /// Particles that come and go, frame by frame.
 class ParticleSource {

@@ -74,6 +74,35 @@ TEST_F(AnimationRun, TheSameBytesTwice) {
   EXPECT_THAT(changes_since(first), ::testing::Each(::testing::HasSubstr("times.json")));
 }
 
+// Width and height of a PNG, from its first chunk.
+std::string size_of(const std::string& png) { return png.substr(16, 8); }
+
+TEST_F(AnimationRun, WritesAnImageSequence) {
+  expect_success({"run", "gallop.yaml", "animation.sequence={every: 3, width: 40}"});
+  const std::string frames = "results/gallop/frames/", first = get(frames + "0000.png");
+  EXPECT_EQ(first.substr(1, 3), "PNG");
+  EXPECT_EQ(size_of(get(frames + "0001.png")), size_of(first));
+  EXPECT_FALSE(get(frames + "0001.png") == first);
+  EXPECT_FALSE(exists(frames + "0002.png"));
+  EXPECT_THAT(get("results/README.md"), ::testing::HasSubstr("[0001](gallop/frames/0001.png)"));
+  const auto before = contents();
+  expect_success({"run", "gallop.yaml", "animation.sequence={every: 3, width: 40}"});
+  EXPECT_THAT(changes_since(before), ::testing::Each(::testing::HasSubstr("times.json")));
+  expect_success({"run", "gallop.yaml"});
+  EXPECT_FALSE(exists(frames));
+  EXPECT_EQ(get("results/README.md").find("frames/0"), std::string::npos);
+}
+
+TEST_F(AnimationRun, ASequenceShowsEachRunOfASweep) {
+  const Words words{"run", "jet.yaml", "animation.sequence={every: 19, width: 40}"};
+  expect_success(words);
+  const std::string one = size_of(get("results/jet/frames/0001.png"));
+  expect_success({words[0], words[1], words[2], "sweep={graph.nodes: [15, 20, 25]}"});
+  const std::string three = size_of(get("results/jet/frames/0001.png"));
+  EXPECT_EQ(three.substr(4), one.substr(4));        // as high,
+  EXPECT_GT(three.substr(0, 4), one.substr(0, 4));  // but wider: big endian, which compares as text
+}
+
 TEST_F(AnimationRun, SweepsShowEachRun) {
   expect_success({"run", "gallop.yaml", "sweep={graph.nodes: [50, 60]}"});
   EXPECT_TRUE(exists("results/gallop/trace_002.csv"));
@@ -83,6 +112,11 @@ TEST_F(AnimationRun, RefusesWhatCannotBe) {
   const std::pair<std::string, Words> bad[] = {
       {"animation.frames=0", {"animation.frames is 0", "1 to"}},
       {"animation.pictured=5", {"animation.pictured is 5", "1 to 4"}},
+      {"animation.sequence.every=-1", {"sequence.every is -1", "it is 0, or 1 and more"}},
+      {"animation={generator: gallop, frames: 9999, sequence: {every: 1}}",
+       {"sequence.every is 1", "42 and more for 9999 frames"}},
+      {"animation.sequence.width=4", {"sequence.width is 4", "16 to 1024"}},
+      {"animation.sequence=2", {"animation.sequence", "map"}},
       {"animation.cycle=0", {"animation.cycle"}},
       {"animation.cell=1", {"animation.cell", "0.01 to 0.06"}},
       {"animation.generator=trot", {"'trot'", "gallop, jet"}},
