@@ -71,6 +71,7 @@ int deform_command(const std::vector<std::string>& arguments, const DeformFlags&
   if (is_drawing(arguments)) return deform_drawing(arguments, flags);
   check_extension(flags.out);
   const auto options = read_options({arguments.begin() + 1, arguments.end()}, flags.nodes);
+  if (!flags.picture.empty()) check(options.picture);
   const std::vector<EditEntry> entries = read_edit_file(flags.edit);
   check_cuts(options.cut);
   const Shape rest = read_shape(arguments.front());

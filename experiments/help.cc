@@ -19,12 +19,12 @@ std::string help_text() {
       deforms a drawing (.png .svg, a polygon .txt), or a flat mesh with deformer=rigid_shape;
       places are [x, y] in pixels, y down
   deformlab animate --frames 'horse-%03d.obj' --edit EDIT.yaml --out 'edited-%03d.obj'
-                    [--nodes N] [key=value]…
+                    [--nodes N] [key=value]… [--metrics FILE.json] [--picture FILE.png]
       edits a mesh animation; in EDIT.yaml `keyframes:` may stand beside or for `edit:`; a run that
       was stopped goes on where it was
   deformlab animate --particles CACHE.csv --edit EDIT.yaml --out OUT.csv [--nodes N] [key=value]…
       edits particles (frame,id,x,y,z); selections speak of the nodes along the path of one of
-      them, chosen for its long and straight life, or by path=ID
+      them, chosen for its long and straight life, or by path=ID; --metrics and --picture as above
   deformlab list     the energies, solvers and their options
   deformlab help     this text, and every key of a config
 

@@ -18,8 +18,8 @@ DEFINE_string(out, "",
 DEFINE_string(frames, "", "animate: the frames of a mesh animation, such as horse-%03d.obj");
 DEFINE_string(particles, "", "animate: a CSV file of particles: frame, id, x, y, z");
 DEFINE_string(edit, "", "deform, animate: the YAML file of what is selected and where it goes");
-DEFINE_string(metrics, "", "deform: a JSON file for the measurements");
-DEFINE_string(picture, "", "deform: a PNG file of the shape before and after");
+DEFINE_string(metrics, "", "deform, animate: a JSON file for the measurements");
+DEFINE_string(picture, "", "deform, animate: a PNG file of the shape or frames before and after");
 DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes, "deform: number of graph nodes");
 DEFINE_int32(vertices, deformlab::TriangulationOptions{}.vertices,
              "deform a drawing: number of vertices of its mesh");

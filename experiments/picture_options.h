@@ -37,6 +37,9 @@ struct PictureOptions {
   }
 };
 
+/// Throws InputError for what no picture can show, so that it is found out before the work.
+void check(const PictureOptions& options);
+
 /// How a panel of such a picture is rendered.
 RenderOptions render_options(const PictureOptions& options);
 

@@ -51,6 +51,25 @@ Json solver_json(const Summary& s) {
           {"message", s.message}};
 }
 
+// All but costs, and counts as whole numbers.
+void add_metrics(const Metrics& metrics, Json& document) {
+  for (const auto& [name, value] : metrics) {
+    if (!name.starts_with("cost")) document[name] = value;
+  }
+  for (const char* count : {"nodes", "edges", "unknowns", "iterations", "factorizations",
+                            "inside_out", "frames", "solves", "handles"}) {
+    if (document.contains(count)) document[count] = document[count].get<long>();
+  }
+}
+
+void add_circumstances(const Summary& solve, const std::vector<std::string>& notes,
+                       Json& document) {
+  document["blas"] = solve.blas;
+  document["threads"] = solve.threads;
+  document["notes"] = notes;
+  document["environment"] = Json(environment());
+}
+
 std::string metrics_json(const Outcome& outcome) {
   Json document{{"title", outcome.config.title}, {"paper", outcome.config.paper}};
   document["claims"] = Json::array();
@@ -229,26 +248,22 @@ void write_results(const Outcome& outcome, const fs::path& folder) {
 }
 
 std::string to_json(const Report& report) {
-  Json document{{"solver", report.solve.method},
-                {"linear_solver", report.solve.linear_solver},
-                {"globalization", report.solve.globalization},
-                {"status", to_string(report.solve.status)},
-                {"message", report.solve.message}};
-  for (const auto& [name, value] : metrics_of(report)) {
-    if (!name.starts_with("cost")) document[name] = value;
-  }
-  for (const char* count :
-       {"nodes", "edges", "unknowns", "iterations", "factorizations", "inside_out"}) {
-    document[count] = document[count].get<long>();
-  }
+  Json document = solver_json(report.solve);
+  add_metrics(metrics_of(report), document);
   document["cost"] = {{"total", report.solve.final_cost},
                       {"by_term", json(report.solve.cost_by_term)}};
   document["seconds"] = json(report.seconds);
   document["seconds"]["solve_by_phase"] = json(report.solve.seconds);
-  document["blas"] = report.solve.blas;
-  document["threads"] = report.solve.threads;
-  document["notes"] = report.notes;
-  document["environment"] = Json(environment());
+  add_circumstances(report.solve, report.notes, document);
+  return document.dump(1) + "\n";
+}
+
+std::string to_json(const Run& run) {
+  Json document = solver_json(run.solve);
+  add_metrics(run.measured.metrics, document);
+  for (const char* of_last : {"status", "message", "initial_cost"}) document.erase(of_last);
+  document["seconds"] = json(run.seconds);
+  add_circumstances(run.solve, run.notes, document);
   return document.dump(1) + "\n";
 }
 

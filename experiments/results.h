@@ -39,6 +39,9 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 /// A report as JSON, for `deform --metrics`.
 std::string to_json(const Report& report);
 
+/// What was told of an animation as JSON, for `animate --metrics`: its metrics but for costs.
+std::string to_json(const Run& run);
+
 /// Rewrites README.md of a results folder from what lies in it: a picture, the claims and the table
 /// of each experiment, in order of their names.
 void write_gallery(const std::filesystem::path& results);

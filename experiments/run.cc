@@ -6,7 +6,6 @@
 
 #include "energies/catalog.h"
 #include "experiments/animation/animation_run.h"
-#include "experiments/camera.h"
 #include "experiments/config.h"
 #include "experiments/cuts.h"
 #include "experiments/drawing_run.h"
@@ -18,7 +17,6 @@
 namespace deformlab {
 namespace {
 
-constexpr int kMostPixels = 4096;          // along a side of a panel
 constexpr std::size_t kLongestLabel = 40;  // of a swept value in a caption
 
 ConfigNode with_overrides(ConfigNode root, const std::vector<Override>& overrides) {
@@ -54,18 +52,6 @@ std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
     result.back().metrics.insert(run.seconds.begin(), run.seconds.end());
   }
   return result;
-}
-
-// What a picture could not show is found out before the work, not after it.
-void check_picture(const PictureOptions& o) {
-  if (std::min(o.width, o.height) < 1 || std::max(o.width, o.height) > kMostPixels) {
-    throw InputError("picture.width × picture.height is " + std::to_string(o.width) + " × " +
-                     std::to_string(o.height) + "; each is 1 to " + std::to_string(kMostPixels));
-  }
-  if (o.columns < 0) {
-    throw InputError("picture.columns is " + std::to_string(o.columns) + "; it is 0 or more");
-  }
-  frame(Eigen::Matrix3Xd(3, 0), {.direction = o.direction, .up = o.up}, o.width, o.height);
 }
 
 // Each run is of the rest of the config: the pictures, the claims and the sweep are of all of them.
@@ -109,7 +95,7 @@ struct Plan {
 Plan plan(const std::filesystem::path& path, const std::vector<Override>& overrides) {
   const ConfigNode root = with_overrides(load_config(path), overrides);
   Plan result{read(root), {}, {}, {}};
-  check_picture(result.config.picture);
+  check(result.config.picture);
   for (const Claim& claim : result.config.claims) check_form(claim);
   check_not_swept(overrides, result.config.sweep);
   check_swept_keys(result.config.sweep);

@@ -30,9 +30,9 @@ constexpr double kRounding = 1e-13;        // of 1 + F, as in Eq. 12: less is no
 // Conjugate gradients are preconditioned by the terms that declare themselves separable.
 void check_separable(const Stage& stage) {
   std::string names;
-  for (const auto& [energy, weight] : stage.terms) {
-    if (energy->structure() == Structure::kSeparable) return;
-    names += (names.empty() ? "" : ", ") + std::string(energy->name());
+  for (const WeightedEnergy& term : stage.terms) {
+    if (term.structure() == Structure::kSeparable) return;
+    names += (names.empty() ? "" : ", ") + std::string(term.energy->name());
   }
   if (names.empty()) return;
   throw InputError("solver.linear_solver is separable_cg, but of the terms (" + names +

@@ -7,7 +7,9 @@
 
 #include "deformers/animated_deformation.h"
 #include "experiments/animation/animate_options.h"
+#include "experiments/animation/animation_pictures.h"
 #include "experiments/animation/fingerprint.h"
+#include "experiments/animation/frame_log.h"
 #include "experiments/animation/frame_pattern.h"
 #include "experiments/animation/handle_motion.h"
 #include "experiments/animation/particle_command.h"
@@ -16,6 +18,7 @@
 #include "experiments/config.h"
 #include "experiments/environment.h"
 #include "experiments/outputs.h"
+#include "experiments/results.h"
 #include "geometry/error.h"
 #include "geometry/shape_io.h"
 
@@ -55,61 +58,70 @@ class Frames {
   FrameRange range_;
 };
 
-// What is told of all frames together, and of each what was not told of the one before.
-class Worst {
- public:
-  void add(int frame, const Report& report) {
-    steps_ = std::max(steps_, report.solve.iterations.size());
-    off_ = std::max(off_, report.handle_max);
-    det_ = std::min(det_, report.min_det_R);
-    std::vector<std::string> notes = report.notes;
-    if (report.solve.status == Status::kMaxIterations) notes.push_back(report.solve.message);
-    for (const std::string& note : notes) {
-      if (std::ranges::find(notes_, note) != notes_.end()) continue;
-      LOG(WARNING) << "from frame " << frame << ": " << note;
-    }
-    notes_ = std::move(notes);
-  }
-
-  void print(int frames, int made, const std::string& out) const {
-    if (made > 0) {
-      std::printf("at most %zu steps a frame, handles off by %.3g at most, min det R %.3g\n",
-                  steps_, off_, det_);
-    }
-    std::printf("%d frames, %d of them made now; written to %s\n", frames, made, out.c_str());
-  }
-
- private:
-  std::size_t steps_ = 0;
-  double off_ = 0, det_ = 1;
-  std::vector<std::string> notes_;
+// A run: what it is made of, and how far it has come.
+struct Sequence {
+  const Frames& frames;
+  const FramePattern& out;
+  const HandleMotion& motion;
+  AnimatedDeformation& deformer;
+  ResumeFile& resume;
 };
 
-bool make_frames(const Frames& frames, const FramePattern& out, const HandleMotion& motion,
-                 AnimatedDeformation& deformer, ResumeFile& resume) {
-  Worst worst;
-  int made = 0;
-  {
-    ProgressLine progress("animate: frame");
-    for (int frame = frames.range().first; frame <= frames.range().last; ++frame) {
-      if (!resume.has(frame)) {
-        const Report report = deformer.update(frames.read(frame), motion.offsets(frame));
-        if (report.solve.status == Status::kFailed) {
-          std::fprintf(stderr, "deformlab: frame %d: the solver failed: %s; it was not written\n",
-                       frame, report.solve.message.c_str());
-          return false;
-        }
-        worst.add(frame, report);
-        write_shape(out.path(frame), deformer.deformed(), frames.pattern().path(frame));
-        resume.finished(frame);
-        ++made;
+bool make_frames(const Sequence& s, FrameLog& log) {
+  const FrameRange& range = s.frames.range();
+  ProgressLine progress("animate: frame");
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    if (s.resume.has(frame)) {
+      log.pass();
+    } else {
+      const Shape input = s.frames.read(frame);
+      const Report report = s.deformer.update(input, s.motion.offsets(frame));
+      if (report.solve.status == Status::kFailed) {
+        std::fprintf(stderr, "deformlab: frame %d: the solver failed: %s; it was not written\n",
+                     frame, report.solve.message.c_str());
+        return false;
       }
-      progress.show(frame - frames.range().first + 1, frames.range().count());
+      log.add(frame, report, input, s.deformer.deformed());
+      write_shape(s.out.path(frame), s.deformer.deformed(), s.frames.pattern().path(frame));
+      s.resume.finished(frame);
     }
+    progress.show(frame - range.first + 1, range.count());
   }
-  resume.remove();
-  worst.print(frames.range().count(), made, out.text());
   return true;
+}
+
+// From the files, so that frames that an earlier run has made are in it too.
+Image draw(const Sequence& s, const AnimateOptions& options) {
+  const FrameRange& range = s.frames.range();
+  SeenFrames seen(evenly_spread(range, std::min(options.pictured, range.count())), {});
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    if (!seen.wants(frame)) continue;
+    const Shape input = s.frames.read(frame);
+    const Eigen::Matrix3Xd handles =
+        input.V(Eigen::all, s.motion.handles().moved) + s.motion.offsets(frame);
+    seen.add(frame, {input, read_shape(s.out.path(frame)), handles});
+  }
+  s.deformer.update(s.frames.read(range.first), s.motion.offsets(range.first));  // for the graph
+  AnimationBook book(options.picture);
+  book.add(seen, s.deformer.deformation().graph(), "edited");
+  return book.sheet();
+}
+
+// None of them may be a frame, or the file in which a run that was stopped finds how far it came.
+void check_files(const AnimateFlags& flags, const Frames& frames, const FramePattern& out) {
+  const int first = frames.range().first;
+  check_outputs({frames.pattern().path(first).string(), flags.edit},
+                {{out.path(first).string(), "--out"},
+                 {out.text() + kProgressEnding, "--out"},
+                 {flags.metrics, "--metrics"},
+                 {flags.picture, "--picture"}});
+  for (const auto& [path, flag] : {std::pair(flags.metrics, "--metrics"),
+                                   {flags.picture, "--picture"},
+                                   {flags.edit, "--edit"}}) {
+    check_no_frame(path, flag, frames.pattern(), "--frames");
+    check_no_frame(path, flag, out, "--out");
+  }
+  check_apart(frames.pattern(), out, frames.range());
 }
 
 int animate_frames(const AnimateFlags& flags, const AnimateOptions& options) {
@@ -118,16 +130,16 @@ int animate_frames(const AnimateFlags& flags, const AnimateOptions& options) {
   const FramePattern out(flags.out, "--out");
   const Frames frames(flags.frames);
   check_extension(out.path(0));
-  check_outputs({flags.edit}, {{out.path(frames.range().first).string(), "--out"}});
-  check_apart(frames.pattern(), out, frames.range());
+  check_files(flags, frames, out);
 
   const HandleMotion motion(script, frames.range(), [&](int f) { return frames.read(f); });
-  AnimatedDeformation deformer(frames.read(script.pose.value_or(frames.range().first)),
-                               options.deformation);
+  const Shape pose = frames.read(script.pose.value_or(frames.range().first));
+  AnimatedDeformation deformer(pose, options.deformation);
   deformer.compile(motion.handles());
   Fingerprint fingerprint;
-  for (const std::string& text : {flags.frames, flags.out, motion.description(),
-                                  to_yaml(to_node(options)), environment().at("commit")}) {
+  for (const std::string& text :
+       {flags.frames, flags.out, motion.description(), to_yaml(to_node(options.deformation)),
+        environment().at("commit")}) {
     fingerprint.add(text);
   }
   frames.check(fingerprint);
@@ -136,7 +148,14 @@ int animate_frames(const AnimateFlags& flags, const AnimateOptions& options) {
     LOG(WARNING) << "a run was stopped before, but its frames or its edit were others: starting "
                     "over";
   }
-  return make_frames(frames, out, motion, deformer, resume) ? 0 : 1;
+  const Sequence sequence{frames, out, motion, deformer, resume};
+  FrameLog log(bounding_box_diagonal(pose.V), !flags.metrics.empty());
+  if (!make_frames(sequence, log)) return 1;
+  if (!flags.picture.empty()) write_png(draw(sequence, options), flags.picture);
+  if (!flags.metrics.empty()) write_text(flags.metrics, to_json(log.run()));
+  resume.remove();
+  log.print(flags.out);
+  return 0;
 }
 
 }  // namespace
@@ -148,9 +167,7 @@ int animate_command(const std::vector<std::string>& arguments, const AnimateFlag
         "'horse-%03d.obj' --edit EDIT.yaml --out 'edited-%03d.obj' [key=value]…, or with "
         "--particles cache.csv instead");
   }
-  if (!flags.metrics.empty() || !flags.picture.empty()) {
-    throw InputError("--metrics and --picture are for deform; animate has neither");
-  }
+  check_picture_name(flags.picture);
   const AnimateOptions options = read_animate_options(arguments, flags);
   return flags.frames.empty() ? animate_particles(flags, options) : animate_frames(flags, options);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "experiments/animation/animation_pictures.h"
 #include "experiments/config.h"
 #include "experiments/override.h"
 #include "experiments/run.h"
@@ -28,6 +29,8 @@ AnimateOptions read_animate_options(const std::vector<std::string>& overrides,
   for (const std::string& text : overrides) apply_override(root, parse_override(text));
   auto options = read_config<AnimateOptions>(root);
   complete_energies(root, options.deformation);
+  check(options.picture);
+  check_pictured(options.pictured, kMostPictured, "pictured");
   return options;
 }
 

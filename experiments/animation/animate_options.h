@@ -6,6 +6,7 @@
 
 #include "deformers/embedded_deformation.h"
 #include "experiments/animation/animate_command.h"
+#include "experiments/picture_options.h"
 
 namespace deformlab {
 
@@ -13,6 +14,8 @@ namespace deformlab {
 struct AnimateOptions {
   EmbeddedDeformationOptions deformation;
   std::optional<int> path;
+  PictureOptions picture;
+  int pictured = 6;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -20,12 +23,14 @@ struct AnimateOptions {
     visit("path", o.path,
           "id of the particle whose path the nodes are sampled on; by default of those that live "
           "longest the one that goes straightest");
+    visit("picture", o.picture, "how --picture is drawn");
+    visit("pictured", o.pictured, "frames in --picture, evenly spread");
   }
 };
 
-/// Throws InputError for what is no option. The chain of a particle's path may turn about itself at
-/// no cost to the paper's terms: for particles energies.smoothness is 1 where nothing else is said,
-/// and linear_solver is separable_cg where no option of the solver is named.
+/// Throws InputError for what is no option, or out of its range. The chain of a particle's path may
+/// turn about itself at no cost to the paper's terms: for particles energies.smoothness is 1 where
+/// nothing else is said, and linear_solver is separable_cg where no option of the solver is named.
 AnimateOptions read_animate_options(const std::vector<std::string>& overrides,
                                     const AnimateFlags& flags);
 

@@ -24,6 +24,12 @@ void check(const SequenceOptions& o, int frames) {
   }
 }
 
+void check_pictured(int pictured, int most, const std::string& name) {
+  if (pictured >= 1 && pictured <= most) return;
+  throw InputError(name + " is " + std::to_string(pictured) + "; it is 1 to " +
+                   std::to_string(most) + " of the frames");
+}
+
 std::vector<int> evenly_spread(const FrameRange& range, int count) {
   std::vector<int> frames;
   for (int i = 0; i < count; ++i) {

@@ -27,10 +27,16 @@ struct SequenceOptions {
 /// Throws InputError for options out of range, and for more pictures of `frames` than can be kept.
 void check(const SequenceOptions& options, int frames);
 
+inline constexpr int kMostPictured = 64;  ///< frames in a contact sheet
+
+/// Throws InputError where a contact sheet cannot show so many frames; `name` is what messages call
+/// the option.
+void check_pictured(int pictured, int most, const std::string& name);
+
 /// `count` frames of a range, evenly spread from the first on.
 std::vector<int> evenly_spread(const FrameRange& range, int count);
 
-/// What is seen of an animation in one frame: the input, the output, and where its handles are, 3×n
+/// What is seen of an animation in one frame: the input, the output, and its handles, 3×n
 /// [length].
 struct SeenFrame {
   Shape input, output;

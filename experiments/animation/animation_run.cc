@@ -7,15 +7,14 @@
 #include "experiments/animation/jet.h"
 #include "experiments/animation/mesh_measurements.h"
 #include "experiments/animation/solve_log.h"
-#include "experiments/animation/stream_editor.h"
-#include "experiments/animation/stream_measurements.h"
+#include "experiments/animation/stream_log.h"
 #include "experiments/config.h"
 #include "geometry/error.h"
 
 namespace deformlab {
 namespace {
 
-constexpr int kMostFrames = 10'000, kMostPictured = 64;
+constexpr int kMostFrames = 10'000;
 
 Selection watched(const ConfigNode& node) {
   Selection selection;
@@ -64,39 +63,22 @@ Run run_gallop(const ExperimentConfig& config, const std::string& caption,
   return run;
 }
 
-double node_motion(const StreamDeformation& stream) {
-  const Eigen::Matrix3Xd& g = stream.path().V;
-  const Transformations X = stream.deformation().transformations();
-  double sum = 0;
-  for (Eigen::Index j = 0; j < g.cols(); ++j) sum += X.col(4 * j + 3).norm();
-  return sum / static_cast<double>(g.cols()) / bounding_box_diagonal(g);
-}
-
 Run run_jet(const ExperimentConfig& config, const std::string& caption, AnimationBook& pictures) {
   const AnimationOptions& o = config.animation;
   const Jet jet(o.frames);
   StreamEditor editor(jet, read_script(config.edit, o.keyframes), config.method.deformation,
                       o.path);
-  StreamMeasurements measurements;
-  SolveLog log;
+  StreamLog log;
   SeenFrames seen = frames_to_see(o);
-  const double size = bounding_box_diagonal(editor.stream().path().V);
-  int solves = 0;
   jet.for_each_frame([&](int frame, ParticleFrame rows) {
     const Eigen::Matrix3Xd edited = editor.edited(frame, rows);
-    if (editor.solves() > solves) log.add(editor.report(), size);
-    solves = editor.solves();
-    measurements.add(editor.stream(), rows, edited);
+    log.add(editor, rows, edited);
     if (seen.wants(frame)) {
       seen.add(frame, {as_points(places_of(rows)), as_points(edited), editor.handles()});
     }
   });
   pictures.add(seen, editor.stream().deformation().graph(), caption);
-  Run run = log.run();
-  run.measured.metrics["handles"] = static_cast<double>(editor.motion().handles().targets());
-  run.measured.metrics["node_motion"] = node_motion(editor.stream());
-  run.measured.metrics.merge(measurements.metrics());
-  return run;
+  return log.run(editor);
 }
 
 }  // namespace
@@ -106,10 +88,7 @@ void check(const AnimationOptions& o, const ConfigNode& edit) {
     throw InputError("animation.frames is " + std::to_string(o.frames) + "; it is 1 to " +
                      std::to_string(kMostFrames));
   }
-  if (o.pictured < 1 || o.pictured > std::min(o.frames, kMostPictured)) {
-    throw InputError("animation.pictured is " + std::to_string(o.pictured) + "; it is 1 to " +
-                     std::to_string(std::min(o.frames, kMostPictured)) + " of the frames");
-  }
+  check_pictured(o.pictured, std::min(o.frames, kMostPictured), "animation.pictured");
   if (!(o.cycle > 0) || !(o.cell >= 0.01 && o.cell <= 0.06)) {
     throw InputError("animation.cycle is " + std::to_string(o.cycle) + " and animation.cell " +
                      std::to_string(o.cell) +

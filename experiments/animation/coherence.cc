@@ -25,6 +25,7 @@ void Coherence::Sums::add(const Frame& f) {
 void Coherence::add(const Eigen::Matrix3Xd& input, const Eigen::Matrix3Xd& output) {
   Frame now{input, output};
   if (!points_.empty()) now = {input(Eigen::all, points_), output(Eigen::all, points_)};
+  n_ = static_cast<double>(now.v.cols());
   places_.add(now);
   if (!last_.empty()) changes_.add({now.v - last_[0].v, now.w - last_[0].w});
   if (last_.size() == 2) {
@@ -35,16 +36,20 @@ void Coherence::add(const Eigen::Matrix3Xd& input, const Eigen::Matrix3Xd& outpu
 }
 
 Metrics Coherence::metrics(const std::string& prefix) const {
-  const double points = last_.empty() ? 1 : static_cast<double>(last_[0].v.cols());
   const auto worst = [](const Sums& s) { return std::sqrt(ratio(s.dd_most * s.frames, s.vv)); };
-  const Metrics m{{"displacement", std::sqrt(ratio(places_.dd, points * places_.frames))},
-                  {"displacement_change", std::sqrt(ratio(changes_.dd, changes_.vv))},
-                  {"displacement_change_max", worst(changes_)},
-                  {"unsteadiness", std::sqrt(ratio(bends_.dd, bends_.vv))},
-                  {"unsteadiness_max", worst(bends_)},
-                  {"motion_kept", ratio(changes_.vw, changes_.vv)},
-                  {"fast_motion_kept", ratio(bends_.vw, bends_.vv)},
-                  {"fast_motion_correlation", ratio(bends_.vw, std::sqrt(bends_.vv * bends_.ww))}};
+  Metrics m;
+  if (places_.frames > 0) m["displacement"] = std::sqrt(ratio(places_.dd, n_ * places_.frames));
+  if (changes_.frames > 0) {
+    m["displacement_change"] = std::sqrt(ratio(changes_.dd, changes_.vv));
+    m["displacement_change_max"] = worst(changes_);
+    m["motion_kept"] = ratio(changes_.vw, changes_.vv);
+  }
+  if (bends_.frames > 0) {
+    m["unsteadiness"] = std::sqrt(ratio(bends_.dd, bends_.vv));
+    m["unsteadiness_max"] = worst(bends_);
+    m["fast_motion_kept"] = ratio(bends_.vw, bends_.vv);
+    m["fast_motion_correlation"] = ratio(bends_.vw, std::sqrt(bends_.vv * bends_.ww));
+  }
   Metrics result;
   for (const auto& [name, value] : m) result[prefix + name] = value;
   return result;

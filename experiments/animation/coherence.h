@@ -19,11 +19,13 @@ namespace deformlab {
 ///   motion_kept               Σ Δv·Δṽ / Σ |Δv|²: 1 where the motion is kept
 ///   fast_motion_kept          the same of Δ², in which fast motion weighs more
 ///   fast_motion_correlation   the cosine of Δ²v and Δ²ṽ over all
+/// What needs two or three frames in a row is left out where there are none.
 class Coherence {
  public:
   explicit Coherence(std::vector<int> points = {}) : points_(std::move(points)) {}
 
   void add(const Eigen::Matrix3Xd& input, const Eigen::Matrix3Xd& output);  ///< 3×n [length]
+  void interrupt() { last_.clear(); }  ///< the next frame does not follow the last
   Metrics metrics(const std::string& prefix = "") const;
 
  private:
@@ -37,6 +39,7 @@ class Coherence {
   };
 
   std::vector<int> points_;
+  double n_ = 0;             // points of a frame
   std::vector<Frame> last_;  // at most two, the latest first
   Sums places_, changes_, bends_;
 };

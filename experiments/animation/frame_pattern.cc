@@ -13,6 +13,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostDigits = 9;  // so that a frame's number is an int
 
+bool same_folder(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
+}
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
@@ -82,11 +87,18 @@ FrameRange find_frames(const FramePattern& pattern) {
   return *range;
 }
 
+void check_no_frame(const std::string& path, const std::string& flag, const FramePattern& pattern,
+                    const std::string& pattern_flag) {
+  const fs::path file(path);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (path.empty() || !pattern.frame_of(file.filename().string())) return;
+  if (!same_folder(folder, pattern.folder())) return;
+  throw InputError(flag + " " + quote(path) + " is the name of a frame of " + pattern_flag + " " +
+                   quote(pattern.text()) + "; name another file");
+}
+
 void check_apart(const FramePattern& in, const FramePattern& out, const FrameRange& range) {
-  std::error_code ignored;
-  if (fs::weakly_canonical(in.folder(), ignored) != fs::weakly_canonical(out.folder(), ignored)) {
-    return;
-  }
+  if (!same_folder(in.folder(), out.folder())) return;
   for (int frame = range.first; frame <= range.last; ++frame) {
     const fs::path written = out.path(frame);
     if (!in.frame_of(written.filename().string())) continue;

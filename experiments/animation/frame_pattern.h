@@ -39,4 +39,9 @@ FrameRange find_frames(const FramePattern& pattern);
 /// Throws InputError where what is written would be, now or in another run, among what is read.
 void check_apart(const FramePattern& in, const FramePattern& out, const FrameRange& range);
 
+/// Throws InputError where a file that `flag` names would be one of the frames that the pattern, of
+/// `pattern_flag`, stands for, be it there or not. The path may be empty.
+void check_no_frame(const std::string& path, const std::string& flag, const FramePattern& pattern,
+                    const std::string& pattern_flag);
+
 }  // namespace deformlab

@@ -15,6 +15,11 @@ void MeshMeasurements::add(const Shape& input, const Shape& output) {
   keep_least(least_, {{"watched.turn_min", turn}});
 }
 
+void MeshMeasurements::interrupt() {
+  coherence_.interrupt();
+  coherence_of_watched_.interrupt();
+}
+
 Metrics MeshMeasurements::metrics() const {
   Metrics all = coherence_.metrics();
   all.insert(greatest_.begin(), greatest_.end());

@@ -17,6 +17,7 @@ class MeshMeasurements {
       : watched_(std::move(watched)), coherence_of_watched_(watched_) {}
 
   void add(const Shape& input, const Shape& output);
+  void interrupt();  ///< the next frame does not follow the last
   Metrics metrics() const;
 
  private:

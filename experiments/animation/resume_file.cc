@@ -40,7 +40,7 @@ void remove_leftovers(const fs::path& folder, const std::vector<std::string>& of
 }  // namespace
 
 ResumeFile::ResumeFile(const FramePattern& out, std::string fingerprint)
-    : out_(out), path_(out.text() + ".progress"), fingerprint_(std::move(fingerprint)) {
+    : out_(out), path_(out.text() + kProgressEnding), fingerprint_(std::move(fingerprint)) {
   read();
 }
 

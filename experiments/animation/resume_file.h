@@ -8,6 +8,8 @@
 
 namespace deformlab {
 
+inline constexpr const char* kProgressEnding = ".progress";  ///< after the output's pattern
+
 /// How far a run over a sequence has come, in a small file beside its output, so that one that was
 /// stopped goes on from there. It goes away with the last frame.
 class ResumeFile {

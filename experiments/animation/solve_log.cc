@@ -52,14 +52,15 @@ void SolveLog::add(const Report& report, double size) {
 
 Run SolveLog::run() const {
   Run run;
+  if (frames_ == 0) return run;
   run.solve = last_.solve;
   run.notes = notes_;
   run.measured.metrics = worst_;
   run.measured.metrics.merge(metrics_of(last_));
-  run.measured.metrics["iterations_mean"] = iterations_ / std::max(frames_, 1.0);
+  run.measured.metrics["iterations_mean"] = iterations_ / frames_;
   run.measured.metrics["solves"] = frames_;
   run.seconds = seconds_;
-  run.seconds["seconds.update"] = seconds_.at("seconds.solve") / std::max(frames_, 1.0);
+  run.seconds["seconds.update"] = seconds_.at("seconds.solve") / frames_;
   return run;
 }
 

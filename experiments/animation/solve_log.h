@@ -8,7 +8,7 @@ namespace deformlab {
 class SolveLog {
  public:
   void add(const Report& report, double size);  ///< `size` of the shape [length]
-  Run run() const;
+  Run run() const;                              ///< without metrics where nothing was solved
 
  private:
   Report last_;

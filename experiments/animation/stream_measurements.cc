@@ -8,6 +8,8 @@
 namespace deformlab {
 namespace {
 
+constexpr double kAlike = 1e-12;  // variance of speeds, over their mean's square, that is rounding
+
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d sign(1, 1,
@@ -55,15 +57,19 @@ void StreamMeasurements::add(const StreamDeformation& stream, ParticleFrame rows
 
 Metrics StreamMeasurements::metrics() const {
   const double n = std::max(pairs_, 1.0), u = u_ / n, w = w_ / n;
-  const double spread = std::sqrt((uu_ / n - u * u) * (ww_ / n - w * w));
+  const double uu = uu_ / n - u * u, ww = ww_ / n - w * w;
   const double changes = std::max(frames_ - 1, 1.0);
-  return {{"particles", particles_ / std::max(frames_, 1.0)},
-          {"born", born_ / changes},
-          {"died", died_ / changes},
-          {"speed_ratio", w_ / u_},
-          {"speed_correlation", (uw_ / n - u * w) / spread},
-          {"velocity_error", std::sqrt(turned_off_ / uu_)},
-          {"velocity_change", std::sqrt(off_ / uu_)}};
+  Metrics m{{"frames", frames_},
+            {"particles", particles_ / std::max(frames_, 1.0)},
+            {"born", born_ / changes},
+            {"died", died_ / changes},
+            {"speed_ratio", w_ / u_},
+            {"velocity_error", std::sqrt(turned_off_ / uu_)},
+            {"velocity_change", std::sqrt(off_ / uu_)}};
+  if (uu > kAlike * u * u && ww > kAlike * w * w) {
+    m["speed_correlation"] = (uw_ / n - u * w) / std::sqrt(uu * ww);
+  }
+  return m;
 }
 
 }  // namespace deformlab

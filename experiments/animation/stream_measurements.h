@@ -10,9 +10,10 @@ namespace deformlab {
 
 /// Holds the velocities of edited particles against those of the input. With u and ũ the way of a
 /// particle from one frame to the next in both:
+///   frames                    in which there are particles
 ///   particles, born, died     mean a frame
 ///   speed_ratio               Σ |ũ| / Σ |u|
-///   speed_correlation         Pearson's, of |ũ| and |u|
+///   speed_correlation         Pearson's, of |ũ| and |u|; nothing where all are as fast
 ///   velocity_error            root mean square of ũ − R u over that of u, R the rotation nearest
 ///                             to what the graph does to space at the particle: 0 where the
 ///                             particle flows in the bent stream as it did in the straight one

@@ -1,4 +1,5 @@
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -53,6 +54,47 @@ TEST_F(AnimateFrames, EditsEveryFrame) {
     EXPECT_THAT(out, HasSubstr("# frame " + std::to_string(frame) + "\n"));
   }
   EXPECT_FALSE(exists("out-004.obj") || exists("out-010.obj") || exists("out-%03d.obj.progress"));
+}
+
+TEST_F(AnimateFrames, DrawsAContactSheet) {
+  expect_success(words());
+  const std::string out = get("out-007.obj");
+  const Words drawn{"--picture", "p.png", "pictured=2", "picture.width=80", "picture.height=60"};
+  expect_success(words(drawn));
+  const std::string picture = get("p.png");
+  EXPECT_EQ(picture.substr(1, 3), "PNG");
+  EXPECT_TRUE(get("out-007.obj") == out);
+  expect_success(words(drawn));
+  EXPECT_TRUE(get("p.png") == picture);
+  put("edit.yaml", "edit:\n  - {select: {all: true}, by: [0, 0, 0]}\n");
+  expect_success(words(drawn));
+  EXPECT_FALSE(get("p.png") == picture);
+}
+
+TEST_F(AnimateFrames, MeasuresFrameByFrame) {
+  expect_success(words({"--metrics", "m.json"}));
+  const auto m = nlohmann::json::parse(get("m.json"));
+  EXPECT_EQ(m.at("frames"), 5);
+  EXPECT_EQ(m.at("solves"), 5);
+  EXPECT_EQ(m.at("nodes"), 20);
+  EXPECT_EQ(m.at("converged"), 1);
+  double sum = 0;
+  for (int frame = 5; frame <= 9; ++frame) sum += way(frame).squaredNorm();
+  EXPECT_NEAR(m.at("displacement").get<double>(), std::sqrt(sum / (5 * 120)), 1e-6);
+  EXPECT_GT(m.at("stretch_mean").get<double>(), 0);
+  EXPECT_LT(m.at("unsteadiness").get<double>(), 1);
+  EXPECT_TRUE(m.at("notes").empty());
+  EXPECT_GT(m.at("seconds").at("seconds.solve").get<double>(), 0);
+}
+
+TEST_F(AnimateFrames, OfOneFrameMeasuresNoChange) {
+  put("edit.yaml", kTubeEdit);
+  put("one-1.obj", tube_frame(3));
+  expect_success(words({"--frames", "one-%d.obj", "--metrics", "m.json", "--picture", "p.png",
+                        "picture.width=80", "picture.height=60"}));
+  const auto m = nlohmann::json::parse(get("m.json"));
+  EXPECT_GT(m.at("displacement").get<double>(), 0);
+  EXPECT_FALSE(m.contains("unsteadiness") || m.contains("motion_kept"));
 }
 
 TEST_F(AnimateFrames, WritesAnotherFormatAndElsewhere) {
@@ -223,6 +265,25 @@ TEST_F(AnimateResumed, GoesOnToTheSameBytes) {
   EXPECT_THAT(ending.err, Not(HasSubstr("starting over")));
   expect_as_in_one_run();
   EXPECT_EQ(contents().size(), 2u * kFrames + kFrames + 1);  // nothing is left behind
+}
+
+TEST_F(AnimateResumed, DrawsAllFramesAndTellsWhichItMeasured) {
+  const Words small{"--picture", "p.png", "picture.width=40", "picture.height=30"};
+  expect_success(words(small));
+  const std::string picture = get("p.png");
+  start_and_kill("out-004.obj");
+  Words more = small;
+  more.insert(more.end(), {"--metrics", "m.json"});
+  const Ending ending = expect_success(words(more));
+  EXPECT_THAT(ending.err, Not(HasSubstr("starting over")));
+  EXPECT_TRUE(get("p.png") == picture);
+  const auto m = nlohmann::json::parse(get("m.json"));
+  const int made = m.at("solves");
+  EXPECT_EQ(m.at("frames"), kFrames);
+  EXPECT_LT(made, kFrames);
+  EXPECT_THAT(m.at("notes").at(0).get<std::string>(),
+              AllOf(HasSubstr("of 150 frames were made by an earlier run"),
+                    HasSubstr("of the other " + std::to_string(made))));
 }
 
 TEST_F(AnimateResumed, MakesAgainWhatWasTakenAway) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/support/animations.h"
@@ -90,6 +91,27 @@ TEST_F(AnimateParticles, TheSameBytesTwiceAndForAnyOrderOfRows) {
   std::vector<Row> before = rows("before.csv");
   std::ranges::stable_sort(before, {}, &Row::id);
   for (std::size_t i = 0; i < in.size(); ++i) EXPECT_EQ(before[i].z, out[i].z);
+}
+
+TEST_F(AnimateParticles, DrawsAndMeasuresThem) {
+  expect_success(words());
+  const std::string out = get("out.csv");
+  const Words more{"--picture",        "p.png",      "--metrics",
+                   "m.json",           "pictured=3", "picture.width=80",
+                   "picture.height=60"};
+  expect_success(words(more));
+  EXPECT_TRUE(get("out.csv") == out);
+  const std::string picture = get("p.png");
+  EXPECT_EQ(picture.substr(1, 3), "PNG");
+  const auto m = nlohmann::json::parse(get("m.json"));
+  EXPECT_EQ(m.at("frames"), 20);
+  EXPECT_EQ(m.at("solves"), 1);
+  EXPECT_EQ(m.at("handles"), 3);
+  EXPECT_NEAR(m.at("particles").get<double>(), rows("in.csv").size() / 20.0, 1e-9);
+  EXPECT_NEAR(m.at("speed_ratio").get<double>(), 1, 0.1);
+  EXPECT_FALSE(m.contains("speed_correlation"));  // all are as fast
+  expect_success(words(more));
+  EXPECT_TRUE(get("p.png") == picture);
 }
 
 TEST_F(AnimateParticles, KeepsOtherColumnsBlanksAndLineEnds) {

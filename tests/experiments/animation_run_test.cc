@@ -194,6 +194,17 @@ TEST(Coherence, SeesTheFrameThatJumps) {
   EXPECT_NEAR(some.metrics("a.").at("a.unsteadiness_max"), 0, 1e-12);
 }
 
+TEST(Coherence, ComparesNothingAcrossAGap) {
+  Coherence c;
+  for (int t = 0; t < 9; ++t) {
+    if (t == 4) c.interrupt();
+    const Eigen::Matrix3Xd V = waving(10, t);
+    c.add(V, V.colwise() + Eigen::Vector3d(0, 0, t < 4 ? 0 : 1));
+  }
+  EXPECT_NEAR(c.metrics().at("displacement_change_max"), 0, 1e-12);
+  EXPECT_NEAR(c.metrics().at("displacement"), std::sqrt(5.0 / 9), 1e-12);
+}
+
 TEST(TurnBetween, IsTheAngleOfTheRotation) {
   const Eigen::Matrix3Xd V = random_points(20, {1, 2, 3}, 7);
   const Eigen::AngleAxisd turn(0.5, Eigen::Vector3d(1, 2, 2) / 3);

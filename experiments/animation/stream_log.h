@@ -1,0 +1,24 @@
+#pragma once
+
+#include "experiments/animation/solve_log.h"
+#include "experiments/animation/stream_editor.h"
+#include "experiments/animation/stream_measurements.h"
+
+namespace deformlab {
+
+/// What is told of edited particles, gathered while their frames go by and are forgotten.
+class StreamLog {
+ public:
+  void add(const StreamEditor& editor, ParticleFrame rows, const Eigen::Matrix3Xd& edited);
+
+  /// The metrics of SolveLog and StreamMeasurements, handles, and node_motion: how far the nodes go
+  /// in the mean, as a part of their bounding box's diagonal.
+  Run run(const StreamEditor& editor) const;
+
+ private:
+  SolveLog solves_;
+  StreamMeasurements measurements_;
+  int seen_ = 0;  // of the editor's solves
+};
+
+}  // namespace deformlab
