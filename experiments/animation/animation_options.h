@@ -13,6 +13,7 @@ struct AnimationOptions {
   std::string generator = "none";
   int frames = 24;
   double cycle = 24;    ///< frames of one cycle of a gait
+  double bend = 0;      ///< of the jet [degree]
   double cell = 0.031;  ///< mean distance of the quadruped's vertices [length]
   KeyframesOptions keyframes;
   std::optional<int> path;
@@ -27,6 +28,7 @@ struct AnimationOptions {
     visit("frames", o.frames, "how many");
     visit("cycle", o.cycle, "frames of one cycle of the gait");
     visit("cell", o.cell, "mean distance of the quadruped's vertices; its length is about 2.7");
+    visit("bend", o.bend, "how far the jet turns upwards over its length [degree], 0 to 180");
     KeyframesOptions::fields(o.keyframes, visit);
     visit("path", o.path, "id of the particle whose path carries the graph; else it is chosen");
     visit("watch", o.watch, "a selection of vertices that is measured by itself, as watched.…");

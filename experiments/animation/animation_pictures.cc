@@ -50,11 +50,20 @@ void AnimationBook::add(const SeenFrames& frames, const DeformationGraph& graph,
   ++runs_;
 }
 
-Panel AnimationBook::panel(const Shape& shape, const Eigen::Matrix3Xd& handles,
-                           const std::string& caption) {
-  shapes_.push_back(std::make_unique<Shape>(shape));
-  Panel panel{.shape = shapes_.back().get(), .caption = caption};
-  add_balls(panel, handles, kHandleRadius * bounding_box_diagonal(shape.V), colors::kHandle);
+Panel AnimationBook::input_panel(const SeenFrame& seen, const std::string& caption) {
+  shapes_.push_back(std::make_unique<Shape>(seen.input));
+  return {.shape = shapes_.back().get(),
+          .vertex_colors = tinted(seen.input, seen.tinted),
+          .caption = caption};
+}
+
+Panel AnimationBook::output_panel(const SeenFrame& seen, const std::string& caption) {
+  shapes_.push_back(std::make_unique<Shape>(seen.output));
+  Panel panel{.shape = shapes_.back().get(),
+              .vertex_colors = tinted(seen.output, seen.tinted),
+              .caption = caption};
+  const double size = bounding_box_diagonal(seen.output.V);
+  add_balls(panel, seen.handles, kHandleRadius * size, colors::kHandle);
   return panel;
 }
 
@@ -64,8 +73,8 @@ void AnimationBook::add_to_sheet(const SeenFrames& frames, const DeformationGrap
   for (const auto& [frame, seen] : frames.all()) {
     if (!frames.is_in_sheet(frame)) continue;
     const std::string name = "frame " + std::to_string(frame);
-    if (runs_ == 0) inputs.push_back(panel(seen.input, Eigen::Matrix3Xd(3, 0), name));
-    outputs.push_back(panel(seen.output, seen.handles, caption + ", " + name));
+    if (runs_ == 0) inputs.push_back(input_panel(seen, name));
+    outputs.push_back(output_panel(seen, caption + ", " + name));
   }
   columns_ = static_cast<int>(outputs.size());
   if (!inputs.empty() && options_.graph != "none") {
@@ -81,8 +90,8 @@ void AnimationBook::add_to_sequence(const SeenFrames& frames, const std::string&
     if (!frames.is_in_sequence(frame)) continue;
     std::vector<Panel>& panels = sequence_[frame];
     const std::string name = "frame " + std::to_string(frame);
-    if (panels.empty()) panels.push_back(panel(seen.input, Eigen::Matrix3Xd(3, 0), name));
-    panels.push_back(panel(seen.output, seen.handles, caption));
+    if (panels.empty()) panels.push_back(input_panel(seen, name));
+    panels.push_back(output_panel(seen, caption));
   }
 }
 

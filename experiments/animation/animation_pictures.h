@@ -36,11 +36,12 @@ void check_pictured(int pictured, int most, const std::string& name);
 /// `count` frames of a range, evenly spread from the first on.
 std::vector<int> evenly_spread(const FrameRange& range, int count);
 
-/// What is seen of an animation in one frame: the input, the output, and its handles, 3×n
-/// [length].
+/// What is seen of an animation in one frame: the input, the output, its handles, 3×n [length], and
+/// which vertices are tinted.
 struct SeenFrame {
   Shape input, output;
   Eigen::Matrix3Xd handles;
+  std::vector<int> tinted = {};
 };
 
 /// Those frames of one run that are pictured, collected while it runs.
@@ -77,7 +78,8 @@ class AnimationBook {
   std::vector<Image> sequence(int width) const;
 
  private:
-  Panel panel(const Shape& shape, const Eigen::Matrix3Xd& handles, const std::string& caption);
+  Panel input_panel(const SeenFrame& seen, const std::string& caption);
+  Panel output_panel(const SeenFrame& seen, const std::string& caption);
   void add_to_sheet(const SeenFrames& frames, const DeformationGraph& graph,
                     const std::string& caption);
   void add_to_sequence(const SeenFrames& frames, const std::string& caption);

@@ -63,9 +63,18 @@ Run run_gallop(const ExperimentConfig& config, const std::string& caption,
   return run;
 }
 
+// Of the jet's middle, which lies in the plane y = 0: they show how the stream turns about itself.
+std::vector<int> on_the_left(const Eigen::Matrix3Xd& particles) {
+  std::vector<int> chosen;
+  for (int i = 0; i < particles.cols(); ++i) {
+    if (particles(1, i) > 0) chosen.push_back(i);
+  }
+  return chosen;
+}
+
 Run run_jet(const ExperimentConfig& config, const std::string& caption, AnimationBook& pictures) {
   const AnimationOptions& o = config.animation;
-  const Jet jet(o.frames);
+  const Jet jet(o.frames, o.bend);
   StreamEditor editor(jet, read_script(config.edit, o.keyframes), config.method.deformation,
                       o.path);
   StreamLog log;
@@ -74,7 +83,8 @@ Run run_jet(const ExperimentConfig& config, const std::string& caption, Animatio
     const Eigen::Matrix3Xd edited = editor.edited(frame, rows);
     log.add(editor, rows, edited);
     if (seen.wants(frame)) {
-      seen.add(frame, {as_points(places_of(rows)), as_points(edited), editor.handles()});
+      seen.add(frame, {as_points(places_of(rows)), as_points(edited), editor.handles(),
+                       on_the_left(places_of(rows))});
     }
   });
   pictures.add(seen, editor.stream().deformation().graph(), caption);
@@ -93,6 +103,9 @@ void check(const AnimationOptions& o, const ConfigNode& edit) {
     throw InputError("animation.cycle is " + std::to_string(o.cycle) + " and animation.cell " +
                      std::to_string(o.cell) +
                      "; a cycle has a positive length, a cell 0.01 to 0.06");
+  }
+  if (!(o.bend >= 0 && o.bend <= 180)) {
+    throw InputError("animation.bend is " + std::to_string(o.bend) + "; it is 0 to 180 degrees");
   }
   check(o.sequence, o.frames);
   if (o.watch.kind != ConfigNode::Kind::kNull) watched(o.watch);

@@ -8,6 +8,8 @@ namespace deformlab {
 namespace {
 
 constexpr int kBorn = 10, kLife = 107;  // particles a frame, and frames of each
+constexpr double kSpeed = 6, kSlower = 0.15;  // at the age of 0, and by how much it is less at 1
+constexpr double kLength = kSpeed * (1 - kSlower);
 
 // What makes one particle of the jet unlike the others.
 struct Nature {
@@ -25,12 +27,20 @@ Nature nature(int id) {
 
 // Where a particle is at an age that goes from 0 to 1.
 Eigen::Vector3d place(const Nature& n, double age) {
-  const double x = 6 * n.speed * age * (1 - 0.15 * age);
+  const double x = kSpeed * n.speed * age * (1 - kSlower * age);
   const double wide = 0.06 + 0.42 * age;
   const double turn = n.angle + 2 * std::numbers::pi * 2.5 * age / (0.4 + n.radius);
   const double wobble = n.radius * 0.05 * std::sin(2 * std::numbers::pi * 6 * age + n.phase);
   const double r = wide * n.radius + wobble * std::sqrt(age);
   return {x, r * std::cos(turn), r * std::sin(turn)};
+}
+
+// Where a place beside the x axis comes to lie when the axis becomes a circle's arc.
+Eigen::Vector3d bent(const Eigen::Vector3d& p, double bend) {
+  const double curvature = bend * std::numbers::pi / 180 / kLength, turn = curvature * p.x();
+  if (curvature == 0) return p;
+  const Eigen::Vector3d middle(std::sin(turn) / curvature, 0, (1 - std::cos(turn)) / curvature);
+  return middle + Eigen::Vector3d(-std::sin(turn) * p.z(), p.y(), std::cos(turn) * p.z());
 }
 
 }  // namespace
@@ -44,7 +54,7 @@ void Jet::for_each_frame(const Visit& visit) const {
       const int born = id / kBorn - kLife + 1;
       const double share = (id % kBorn) / static_cast<double>(kBorn);  // of a frame, later
       const double age = (frame - born + 1 - share) / kLife;
-      rows.push_back({frame, id, place(nature(id), age), number, number});
+      rows.push_back({frame, id, bent(place(nature(id), age), bend_), number, number});
       ++number;
     }
     visit(frame, rows);

@@ -27,6 +27,7 @@ Run StreamLog::run(const StreamEditor& editor) const {
   run.measured.metrics["handles"] = static_cast<double>(editor.motion().handles().targets());
   run.measured.metrics["node_motion"] = node_motion(editor.stream());
   run.measured.metrics.merge(measurements_.metrics());
+  run.measured.metrics.merge(twist_of(editor.stream()));
   return run;
 }
 

@@ -11,8 +11,8 @@ class StreamLog {
  public:
   void add(const StreamEditor& editor, ParticleFrame rows, const Eigen::Matrix3Xd& edited);
 
-  /// The metrics of SolveLog and StreamMeasurements, handles, and node_motion: how far the nodes go
-  /// in the mean, as a part of their bounding box's diagonal.
+  /// The metrics of SolveLog, StreamMeasurements and twist_of, handles, and node_motion: how far
+  /// the nodes go in the mean, as a part of their bounding box's diagonal.
   Run run(const StreamEditor& editor) const;
 
  private:

@@ -1,9 +1,11 @@
 #include "experiments/animation/stream_measurements.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace deformlab {
 namespace {
@@ -70,6 +72,23 @@ Metrics StreamMeasurements::metrics() const {
     m["speed_correlation"] = (uw_ / n - u * w) / std::sqrt(uu * ww);
   }
   return m;
+}
+
+Metrics twist_of(const StreamDeformation& stream) {
+  const DeformationGraph& graph = stream.deformation().graph();
+  const Transformations X = stream.deformation().transformations();
+  const auto place = [&](int j) { return (graph.g.col(j) + X.col(4 * j + 3)).eval(); };
+  double sum = 0, most = 0;
+  for (const GraphEdge& edge : graph.edges) {
+    const Eigen::Quaterniond turn(nearest_rotation(X.middleCols<3>(4 * edge.k)) *
+                                  nearest_rotation(X.middleCols<3>(4 * edge.j)).transpose());
+    const Eigen::Vector3d along = (place(edge.k) - place(edge.j)).normalized();
+    const double angle = std::abs(2 * std::atan2(turn.vec().dot(along), turn.w()));
+    const double least = std::min(angle, 2 * std::numbers::pi - angle) * 180 / std::numbers::pi;
+    sum += least;
+    most = std::max(most, least);
+  }
+  return {{"twist", sum}, {"twist_max", most}};
 }
 
 }  // namespace deformlab

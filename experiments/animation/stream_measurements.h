@@ -35,4 +35,10 @@ class StreamMeasurements {
   double u_ = 0, w_ = 0, uu_ = 0, ww_ = 0, uw_ = 0, turned_off_ = 0, off_ = 0;
 };
 
+/// How the chain of nodes turns about itself. Of each edge the angle, about the edge where it is
+/// now, of the rotation that takes the one nearest to R_j to that of its neighbour [degree]:
+///   twist      the sum of its absolute values along the chain
+///   twist_max  the greatest
+Metrics twist_of(const StreamDeformation& stream);
+
 }  // namespace deformlab

@@ -4,6 +4,7 @@
 #include "experiments/animation/coherence.h"
 #include "experiments/animation/gallop.h"
 #include "experiments/animation/jet.h"
+#include "experiments/animation/stream_measurements.h"
 #include "geometry/graph_simplification.h"
 #include "tests/support/program.h"
 #include "tests/support/shapes.h"
@@ -117,6 +118,8 @@ TEST_F(AnimationRun, RefusesWhatCannotBe) {
        {"sequence.every is 1", "42 and more for 9999 frames"}},
       {"animation.sequence.width=4", {"sequence.width is 4", "16 to 1024"}},
       {"animation.sequence=2", {"animation.sequence", "map"}},
+      {"animation.bend=-1", {"animation.bend is -1", "0 to 180"}},
+      {"animation.bend=181", {"animation.bend is 181", "0 to 180"}},
       {"animation.cycle=0", {"animation.cycle"}},
       {"animation.cell=1", {"animation.cell", "0.01 to 0.06"}},
       {"animation.generator=trot", {"'trot'", "gallop, jet"}},
@@ -158,6 +161,55 @@ TEST(FindPath, TakesTheParticleThatGoesStraightest) {
   EXPECT_EQ(samples.col(53), life.end);
   const ParticleLife swirling = find_path(jet, life.id + 1);
   EXPECT_GT(swirling.travelled, life.travelled);
+}
+
+TEST(Jet, TurnsUpwardsByItsBend) {
+  const Eigen::Matrix3Xd straight = sample_path(Jet(120), find_path(Jet(120), {}), 300);
+  const Jet bent(120, 90);
+  const Eigen::Matrix3Xd path = sample_path(bent, find_path(bent, {}), 300);
+  const double length = straight(0, 299) - straight(0, 0);
+  double travelled = 0;
+  for (int j = 1; j < 300; ++j) travelled += (path.col(j) - path.col(j - 1)).norm();
+  EXPECT_NEAR(travelled, length, 1e-3 * length);
+  EXPECT_LT(path.row(1).cwiseAbs().maxCoeff(), 1e-12);
+  const Eigen::Vector3d last = (path.col(299) - path.col(298)).normalized();
+  EXPECT_LT((last - Eigen::Vector3d::UnitZ()).norm(), 0.05);
+}
+
+// A straight chain along x, whose ends are turned about it against each other by turning two places
+// beside each.
+StreamDeformation turned_chain(double degrees) {
+  Eigen::Matrix3Xd samples = Eigen::Matrix3Xd::Zero(3, 11);
+  samples.row(0).setLinSpaced(11, 0, 10);
+  EmbeddedDeformationOptions o;
+  o.solver.linear_solver = "separable_cg";
+  o.energies["smoothness"] = 1;
+  StreamDeformation stream(samples, o);
+  Eigen::Matrix3Xd points(3, 6);
+  points << 0, 0, 0, 10, 10, 10, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1;
+  const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, Eigen::Vector3d::UnitX());
+  Eigen::Matrix3Xd targets = points;
+  targets.rightCols(3) = turn * points.rightCols(3);
+  Handles handles;
+  handles.points = points;
+  stream.compile(handles);
+  EXPECT_EQ(stream.update(targets).solve.status, Status::kConverged);
+  return stream;
+}
+
+TEST(TwistOf, IsTheAngleBetweenTheEnds) {
+  EXPECT_NEAR(twist_of(turned_chain(0)).at("twist"), 0, 1e-6);
+  for (const double degrees : {60.0, -60.0}) {
+    const StreamDeformation stream = turned_chain(degrees);
+    const Transformations X = stream.deformation().transformations();
+    // The places hang on more nodes than the last, so that these turn by more than 60 degrees.
+    const double between = turn_between(X.leftCols<3>(), X.middleCols<3>(40));
+    EXPECT_NEAR(between, 60, 10);
+    const Metrics m = twist_of(stream);
+    EXPECT_NEAR(m.at("twist"), between, 1);
+    EXPECT_GE(m.at("twist_max"), m.at("twist") / 10);
+    EXPECT_LT(m.at("twist_max"), 30);
+  }
 }
 
 // n points that go to and fro, at a time.
