@@ -119,6 +119,10 @@ SparseMatrix Linearization::nearest_separable() const {
     const Part& part = parts_[i];
     if (part.square()) {
       blocks.add_mean_diagonals(i, part.weight, part.JtJ);
+    } else if (part.loss && part.energy->structure() == Structure::kSeparable) {
+      Eigen::MatrixXd a(columns_read(*part.energy), part.energy->size());
+      part.energy->coefficients(a.data());
+      blocks.add_separable(i, part.weight, a * part.root.asDiagonal());
     } else if (!part.separable()) {
       const int width = part.energy->jacobian_columns();
       Eigen::MatrixXd JtJ(width, part.J.cols());

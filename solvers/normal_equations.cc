@@ -20,14 +20,15 @@ NormalEquations::NormalEquations(const Stage& stage) : Linearization(stage) {
 }
 
 // visit(p, q, row, column) for every pair of entries p, q of an element whose place is free and in
-// H's lower triangle.
+// H's lower triangle. A term that is separable but for its loss couples no two coordinates.
 template <class Visit>
 void NormalEquations::for_each_pair(const Part& part, int e, Visit&& visit) const {
   const int d = dimension(), n = part.energy->jacobian_columns();
+  const bool apart = part.energy->structure() == Structure::kSeparable;
   const int* column = part.column.data() + std::ptrdiff_t(e) * (n / d);
   for (int p = 0; p < n; ++p) {
     const int row = place(p % d, column[p / d]);
-    for (int q = 0; q < n && row >= 0; ++q) {
+    for (int q = apart ? p % d : 0; q < n && row >= 0; q += apart ? d : 1) {
       const int col = place(q % d, column[q / d]);
       if (col >= 0 && row >= col) visit(p, q, row, col);
     }

@@ -121,6 +121,25 @@ TEST_P(Loss, Rung3EveryLinearSolverAgrees) {
   }
 }
 
+// Each d×d block by its mean diagonal, of JᵀJ with the loss in it.
+TEST_P(Loss, IsInTheNearestSeparableMatrix) {
+  Stage stage = with_outliers(20, {GetParam(), 0.5});
+  const Unknowns x = perturbed(stage.x, 0.1);
+  Linearization linearization(stage);
+  linearization.evaluate(x);
+  linearization.linearize(x);
+  const Eigen::MatrixXd nearest = linearization.nearest_separable();
+  const Eigen::MatrixXd JtJ = reference(stage, x).JtJ();
+  double largest = 0;
+  for (Eigen::Index c = 0; c < nearest.cols(); ++c) {
+    for (Eigen::Index r = c; r < nearest.rows(); ++r) {
+      const double mean = JtJ.block<3, 3>(3 * r, 3 * c).trace() / 3;
+      largest = std::max(largest, std::abs(nearest(r, c) - mean));
+    }
+  }
+  EXPECT_LT(largest, 1e-12 * JtJ.cwiseAbs().maxCoeff());
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Loss, ::testing::ValuesIn(kKinds));
 
 TEST(AnyLoss, ThatLetsGoOfEveryHandleIsSurvived) {
