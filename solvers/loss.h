@@ -14,8 +14,9 @@ namespace deformlab {
 /// pull with less than its square. With a the scale and s = ‖r‖²:
 ///   huber   s up to a², then 2a‖r‖ − a²: convex
 ///   cauchy  a² log(1 + s/a²): what is far away pulls ever less
-///   tukey   a²/3 (1 − (1 − s/a²)³), then a²/3: beyond a nothing pulls at all, so that handles have
-///           to begin nearer than that to their targets
+///   tukey   a²/3 (1 − (1 − s/a²)³), then a²/3: beyond a nothing pulls at all
+/// The last two are not convex: handles that begin many a from their targets may stay there; then a
+/// greater a, or a drag in smaller steps, brings them on their way.
 struct LossOptions {
   std::string kind = "none";
   double scale = 1;  ///< a, in the unit of the residual: for lengths, the energy's own unit
