@@ -1,7 +1,9 @@
 #include "geometry/deformation_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -84,18 +86,34 @@ int find_root(std::vector<int>& parent, int j) {
 
 DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
                          const std::string& alpha, std::span<const int> followed) {
-  if (alpha != "uniform" && alpha != "overlap") {
-    throw InputError("unknown graph.alpha '" + alpha + "'; known: uniform, overlap");
+  if (alpha != "uniform" && alpha != "overlap" && alpha != "length") {
+    throw InputError("unknown graph.alpha '" + alpha + "'; known: uniform, overlap, length");
   }
   DeformationGraph graph{g, {}};
   for (const Overlap& o : overlaps(embedding, followed))
     graph.edges.push_back({o.j, o.k, o.amount});
   if (alpha == "uniform") {
     for (GraphEdge& edge : graph.edges) edge.alpha = 1;
-  } else {
+  } else if (alpha == "overlap") {
     normalize(graph.edges);
+  } else {
+    weigh_by_length(graph);
   }
   return graph;
+}
+
+void weigh_by_length(DeformationGraph& graph) {
+  const auto length = [&](const GraphEdge& e) {
+    return (graph.g.col(e.j) - graph.g.col(e.k)).norm();
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const GraphEdge& edge : graph.edges) {
+    if (length(edge) > 0) least = std::min(least, length(edge));
+  }
+  // In units of the shortest, so that no power overflows.
+  for (GraphEdge& edge : graph.edges)
+    edge.alpha = std::pow(std::max(1.0, length(edge) / least), -2);
+  normalize(graph.edges);
 }
 
 double mean_edge_length(const DeformationGraph& graph) {

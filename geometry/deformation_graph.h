@@ -12,6 +12,18 @@
 
 namespace deformlab {
 
+/// A graph that is refined where an edit needs it (Sumner et al. 2007, section 6).
+struct AdaptiveOptions {
+  int start = 0;   ///< nodes to begin with, GraphOptions::nodes being those at the end; 0: not so
+  int rounds = 4;  ///< in how many refinements
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("start", o.start, "nodes to begin with, of graph.nodes at the end; 0: all at once");
+    visit("rounds", o.rounds, "in how many steps the others are added, each where the last failed");
+  }
+};
+
 /// How a deformation graph is made (Sumner et al. 2007, section 3).
 struct GraphOptions {
   /// Where the nodes are: spread by `sampling`; those vertices that remain of a mesh after its
@@ -24,9 +36,12 @@ struct GraphOptions {
   /// manifold mesh (`geodesic`, by the heat method), or along the edges of any mesh (`edge_paths`,
   /// which is many times faster on large ones).
   std::string distance = "euclidean";
-  int neighbors = 4;              ///< k of Eq. 4; the paper uses 4, and 8 in Figure 5 (d)
-  std::string alpha = "uniform";  ///< α_jk of Eq. 7: uniform (1, the paper's) | overlap
-  std::uint64_t seed = 1;         ///< of the sampling: another seed draws other nodes
+  int neighbors = 4;  ///< k of Eq. 4; the paper uses 4, and 8 in Figure 5 (d)
+  /// α_jk of Eq. 7: uniform (1, the paper's), overlap (of influence), or length, in proportion to
+  /// ‖g_j − g_k‖⁻², so that bending costs the same where a graph is dense and where it is not.
+  std::string alpha = "uniform";
+  std::uint64_t seed = 1;  ///< of the sampling: another seed draws other nodes
+  AdaptiveOptions adaptive;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -41,9 +56,11 @@ struct GraphOptions {
                  "of nodes and vertices: straight, along the surface of a manifold mesh, or along "
                  "the edges of any mesh (faster)");
     visit("neighbors", o.neighbors, "nodes that each vertex follows, k of Eq. 4");
-    visit.choice("alpha", o.alpha, {"uniform", "overlap"},
-                 "weight of an edge in Eq. 7: 1, or in proportion to the overlap of influence");
+    visit.choice("alpha", o.alpha, {"uniform", "overlap", "length"},
+                 "weight of an edge in Eq. 7: 1, in proportion to the overlap of influence, or to "
+                 "length⁻², for graphs that are denser in places");
     visit("seed", o.seed, "of the node sampling");
+    visit("adaptive", o.adaptive, "nodes that are added where an edit turns out to need them");
   }
 };
 
@@ -61,10 +78,15 @@ struct DeformationGraph {
 };
 
 /// Joins every two of the nodes `g` (3×m) that influence a common point of `embedding`, and weighs
-/// the edges as `alpha` says: "uniform", or "overlap" for Σ_i w_j(v_i) w_k(v_i). Where some points
-/// follow fewer nodes than there are rows, `followed` says of each point how many of them count.
+/// the edges as `alpha` says: "uniform", "overlap" for Σ_i w_j(v_i) w_k(v_i), or "length" for
+/// ‖g_j − g_k‖⁻². Where some points follow fewer nodes than there are rows, `followed` says of each
+/// point how many of them count.
 DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
                          const std::string& alpha = "uniform", std::span<const int> followed = {});
+
+/// Weighs edges that are there already by length⁻², with mean one; one of no length like the
+/// shortest of the others.
+void weigh_by_length(DeformationGraph& graph);
 
 /// Mean length of an edge [length]; without edges the diagonal of the nodes' bounding box, and for
 /// a single point 1: the unit that E_reg and E_con are measured in by default.

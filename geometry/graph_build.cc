@@ -119,7 +119,7 @@ class Builder {
     if (placed.edges) take(*placed.edges, graph);
     if (!cuts_.empty()) cut(graph);
     const bool changed = placed.edges || !cuts_.empty();
-    if (changed && options_.alpha == "overlap") normalize(graph.edges);
+    if (changed && options_.alpha != "uniform") normalize(graph.edges);
     return graph;
   }
 
@@ -127,6 +127,7 @@ class Builder {
   void take(const std::vector<GraphEdge>& by_hand, DeformationGraph& graph) {
     const bool by_overlap = options_.alpha == "overlap";
     graph.edges = by_overlap ? weighed(by_hand, graph.edges) : by_hand;
+    if (options_.alpha == "length") weigh_by_length(graph);
     const auto left_out =
         std::erase_if(graph.edges, [](const GraphEdge& edge) { return edge.alpha == 0; });
     if (left_out == 0) return;

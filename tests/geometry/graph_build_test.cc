@@ -215,6 +215,16 @@ TEST(BuildGraph, EdgesByHandWithoutOverlapJoinNothingWhereOverlapWeighs) {
   EXPECT_NEAR(sum / double(built.graph.edges.size()), 1, 1e-14);
 }
 
+TEST(BuildGraph, EdgesByHandAreWeighedByTheirLengthWhereThatIsAskedFor) {
+  GraphOptions options = with_file("v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nl 1 2 3 4\n");
+  options.alpha = "length";
+  const BuiltGraph built = build_graph(bumpy_plane(9), options);
+  ASSERT_EQ(built.graph.edges.size(), 3u);
+  EXPECT_NEAR(built.graph.edges[0].alpha, 9 * built.graph.edges[1].alpha, 1e-12);
+  EXPECT_NEAR(built.graph.edges[0].alpha + built.graph.edges[1].alpha + built.graph.edges[2].alpha,
+              3, 1e-12);
+}
+
 TEST(BuildGraph, FilesThatDoNotGoWithTheMethod) {
   EXPECT_THAT(refused(bumpy_plane(9), with("file", 5)), HasSubstr("graph.file names none"));
   GraphOptions options = with_file("v 0 0 0\n");

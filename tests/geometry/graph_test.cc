@@ -44,6 +44,26 @@ TEST(Connect, WeighsByOverlap) {
   EXPECT_EQ(graph.edges[1].alpha, 0);
 }
 
+TEST(Connect, WeighsByLength) {
+  // Lengths 1 and 3: 1 and 1/9, whose mean becomes 1.
+  const DeformationGraph graph = connect(places(), by_hand(), "length");
+  EXPECT_DOUBLE_EQ(graph.edges[0].alpha, 1.8);
+  EXPECT_DOUBLE_EQ(graph.edges[1].alpha, 0.2);
+  for (const double scale : {1e-50, 1e50}) {
+    EXPECT_DOUBLE_EQ(connect(scale * places(), by_hand(), "length").edges[1].alpha, 0.2) << scale;
+  }
+}
+
+TEST(Connect, WeighsEdgesOfNoLengthLikeTheShortest) {
+  DeformationGraph graph{places(), {{0, 1, 1}, {0, 2, 1}, {1, 2, 1}}};
+  graph.g.col(1) = graph.g.col(0);
+  weigh_by_length(graph);
+  for (const GraphEdge& edge : graph.edges) EXPECT_DOUBLE_EQ(edge.alpha, 1);
+  graph.g.colwise() = Eigen::Vector3d(1, 2, 3);
+  weigh_by_length(graph);
+  for (const GraphEdge& edge : graph.edges) EXPECT_DOUBLE_EQ(edge.alpha, 1);
+}
+
 TEST(Connect, GivesExactlyTheEdgesOfTheDefinition) {
   const Eigen::Matrix3Xd g = random_points(40, {1, 1, 0.1}, 3);
   const Embedding e = embed(bumpy_plane(30).V, g, 4);
@@ -55,7 +75,7 @@ TEST(Connect, GivesExactlyTheEdgesOfTheDefinition) {
       }
     }
   }
-  for (const char* alpha : {"uniform", "overlap"}) {
+  for (const char* alpha : {"uniform", "overlap", "length"}) {
     const DeformationGraph graph = connect(g, e, alpha);
     std::vector<std::pair<int, int>> found;
     double sum = 0;
@@ -74,7 +94,7 @@ TEST(Connect, RejectsAnUnknownAlpha) {
     connect(places(), by_hand(), "gaussian");
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("'gaussian'; known: uniform, overlap"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("'gaussian'; known: uniform, overlap, length"));
   }
 }
 
