@@ -110,6 +110,11 @@ void check(const EmbeddedDeformationOptions& options, const Shape& rest) {
   check_dimension(options.dimension, rest);
   check_reflections(options.reflections);
   check_rotation_model(options);
+  if (options.graph.adaptive.start != 0) {
+    throw InputError("graph.adaptive.start is " + std::to_string(options.graph.adaptive.start) +
+                     ", but this graph is made once and stays, as that of an animation does; make "
+                     "it 0");
+  }
 }
 
 }  // namespace
@@ -192,6 +197,33 @@ Transformations EmbeddedDeformation::transformations() const {
     X.block(0, 4 * j + 3, d, 1) = unit_ * node.col(d);
   }
   return X;
+}
+
+void EmbeddedDeformation::begin_at(const Transformations& X) {
+  if (X.cols() != 4 * graph_.g.cols()) {
+    throw InputError("transformations of " + std::to_string(X.cols() / 4) +
+                     " nodes are none of a graph of " + std::to_string(graph_.g.cols()));
+  }
+  const int d = options_.dimension;
+  for (int j = 0; j < stage_.x.nodes(); ++j) {
+    if (stage_.fixed[j]) continue;
+    auto node = stage_.x.X.middleCols(stage_.x.first[j], stage_.x.columns(j));
+    node.rightCols<1>() = X.col(4 * j + 3).head(d) / unit_;
+    if (is_rigid()) {
+      const Eigen::AngleAxisd turn(nearest_rotation(X.middleCols<3>(4 * j)));
+      node.col(0) = turn.angle() * turn.axis();
+    } else {
+      node.leftCols(d) = X.block(0, 4 * j, d, d);
+    }
+  }
+  transfer(transformations());
+}
+
+void EmbeddedDeformation::transfer(const Transformations& X) {
+  transfer_positions(X, graph_.g, embedding_, deformed_.V, options_.solver.threads);
+  for (const int i : fixed_) deformed_.V.col(i) = rest_.V.col(i);  // free of rounding
+  if (rest_.N.cols() == 0) return;
+  transfer_normals(X, rest_.N, embedding_, deformed_.N, options_.solver.threads);
 }
 
 Eigen::Matrix3Xd EmbeddedDeformation::points(const Transformations& X) const {
@@ -307,11 +339,7 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   const Transformations X = transformations();
   {
     Stopwatch watch(report.seconds["transfer"]);
-    transfer_positions(X, graph_.g, embedding_, deformed_.V, options_.solver.threads);
-    for (const int i : fixed_) deformed_.V.col(i) = rest_.V.col(i);  // free of rounding
-    if (rest_.N.cols() > 0) {
-      transfer_normals(X, rest_.N, embedding_, deformed_.N, options_.solver.threads);
-    }
+    transfer(X);
   }
   report.nodes = static_cast<int>(graph_.g.cols());
   report.edges = static_cast<int>(graph_.edges.size());

@@ -78,7 +78,13 @@ class EmbeddedDeformation final : public Deformer {
   /// vertices or nodes.
   void repose(const Shape& rest, const Eigen::Matrix3Xd& nodes);
 
-  const DeformationGraph& graph() const { return graph_; }  ///< at rest [length]
+  /// Takes on these transformations (3×4m), t_j [length], from which the next update starts; fixed
+  /// nodes stay at rest, and rigid ones take the nearest rotations. Throws InputError for another
+  /// number.
+  void begin_at(const Transformations& X);
+
+  const DeformationGraph& graph() const { return graph_; }   ///< at rest [length]
+  const Embedding& embedding() const { return embedding_; }  ///< of all vertices [length]
   /// The vertex that each node sits on, or as BuiltGraph says.
   const std::vector<int>& node_vertices() const { return node_vertices_; }
   Transformations transformations() const;  ///< 3×4m, t_j [length]
@@ -92,6 +98,7 @@ class EmbeddedDeformation final : public Deformer {
   bool is_rigid() const { return options_.rotation_model == "rigid"; }
   Eigen::MatrixXd rest_unknowns(int m) const;
   void fix_nodes(const Handles& handles);
+  void transfer(const Transformations& X);
   void carry_along(const Eigen::Matrix3Xd& targets);
   void repair_reflections(Report& report);
   void measure_determinants(const Transformations& X, Report& report) const;

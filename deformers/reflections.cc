@@ -31,13 +31,6 @@ Eigen::Vector3d normal(const DeformationGraph& graph, const std::vector<int>& ar
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
 }
 
-Eigen::Vector4d nearest_rotation(const Eigen::Matrix3d& R) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d U = svd.matrixU();
-  if ((U * svd.matrixV().transpose()).determinant() < 0) U.col(2) = -U.col(2);
-  return Eigen::Quaterniond(Eigen::Matrix3d(U * svd.matrixV().transpose())).coeffs();
-}
-
 // q and −q are the same rotation: each takes the sign that is nearer to the node it is reached
 // from.
 void align(const Neighbors& around, Eigen::Matrix4Xd& q) {
@@ -97,6 +90,13 @@ void place(const DeformationGraph& graph, const std::vector<char>& held, Unknown
 
 }  // namespace
 
+Eigen::Quaterniond nearest_rotation(const Eigen::Matrix3d& R) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d U = svd.matrixU();
+  if ((U * svd.matrixV().transpose()).determinant() < 0) U.col(2) = -U.col(2);
+  return Eigen::Quaterniond(Eigen::Matrix3d(U * svd.matrixV().transpose()));
+}
+
 bool turn_back(const DeformationGraph& graph, const Embedding& handles,
                const std::vector<char>& fixed, Unknowns& x) {
   const int m = x.nodes();
@@ -115,7 +115,7 @@ bool turn_back(const DeformationGraph& graph, const Embedding& handles,
       const Eigen::Vector3d n = normal(graph, around[j], j);
       own -= 2 * own * n * n.transpose();
     }
-    q.col(j) = nearest_rotation(own);
+    q.col(j) = nearest_rotation(own).coeffs();
   }
   align(around, q);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {

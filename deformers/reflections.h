@@ -1,9 +1,14 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "energies/unknowns.h"
 #include "geometry/deformation_graph.h"
 
 namespace deformlab {
+
+/// The rotation that is nearest to R.
+Eigen::Quaterniond nearest_rotation(const Eigen::Matrix3d& R);
 
 /// Where nodes are inside out (det R_j < 0), a better place to solve on from: E_rot is content with
 /// a reflection, and a flat patch of handles is too, so no step leads away from it. Those nodes are

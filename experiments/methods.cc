@@ -3,6 +3,18 @@
 #include "geometry/error.h"
 
 namespace deformlab {
+namespace {
+
+std::unique_ptr<Deformer> make_embedded(const Shape& rest,
+                                        const EmbeddedDeformationOptions& options,
+                                        std::span<const Cut> cuts = {}) {
+  if (options.graph.adaptive.start == 0) {
+    return std::make_unique<EmbeddedDeformation>(rest, options, cuts);
+  }
+  return std::make_unique<AdaptiveDeformation>(rest, options, cuts);
+}
+
+}  // namespace
 
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest,
                                         std::span<const Cut> cuts) {
@@ -17,7 +29,7 @@ std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shap
   if (options.deformer == "rigid_shape") {
     throw InputError("deformer 'rigid_shape' is for drawings: give 'drawing', not 'shape'");
   }
-  return std::make_unique<EmbeddedDeformation>(rest, options.deformation, cuts);
+  return make_embedded(rest, options.deformation, cuts);
 }
 
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const DrawingScene& scene) {
@@ -27,7 +39,7 @@ std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Draw
   if (options.deformer == "embedded_deformation") {
     EmbeddedDeformationOptions in_the_plane = options.deformation;
     in_the_plane.dimension = 2;
-    return std::make_unique<EmbeddedDeformation>(to_shape(scene.rest), in_the_plane);
+    return make_embedded(to_shape(scene.rest), in_the_plane);
   }
   throw InputError("deformer '" + options.deformer +
                    "' is for shapes in space; a drawing takes rigid_shape or embedded_deformation");

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "deformers/adaptive_deformation.h"
 #include "deformers/baselines/cgal_arap.h"
 #include "deformers/baselines/primo_deformation.h"
 #include "deformers/baselines/rbf_deformation.h"

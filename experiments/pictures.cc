@@ -74,14 +74,14 @@ void PictureBook::add_graph(const EmbeddedDeformation& deformer, const Transform
 void PictureBook::add_rest(const Deformer& deformer, const Shape& rest, const ResolvedEdit& edit) {
   if (!options_.rest) return;
   add(rest, edit, edit.handles.points, "rest shape");
-  if (const auto* embedded = dynamic_cast<const EmbeddedDeformation*>(&deformer)) {
+  if (const auto* embedded = as_embedded(deformer)) {
     add_graph(*embedded, rest_transformations(embedded->graph().g.cols()));
   }
 }
 
 void PictureBook::add_deformed(const Deformer& deformer, const ResolvedEdit& edit,
                                const std::string& caption) {
-  const auto* embedded = dynamic_cast<const EmbeddedDeformation*>(&deformer);
+  const auto* embedded = as_embedded(deformer);
   const Eigen::Matrix3Xd targets = edit.targets.rightCols(edit.handles.points.cols());
   add(deformer.deformed(), edit, embedded ? embedded->points(embedded->transformations()) : targets,
       caption);

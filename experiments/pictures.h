@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "deformers/embedded_deformation.h"
+#include "deformers/adaptive_deformation.h"
 #include "experiments/edit.h"
 #include "experiments/image.h"
 #include "experiments/picture_options.h"

@@ -30,7 +30,7 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
       make_deformer(config.method, rest, resolve_cuts(config.cut, rest));
   deformer->compile(edit.handles);
   const auto [report, metrics, seconds] = drag(*deformer, rest, edit, config.drag);
-  const auto* embedded = dynamic_cast<const EmbeddedDeformation*>(deformer.get());
+  const auto* embedded = as_embedded(*deformer);
   Run run;
   run.solve = report.solve;
   run.notes = report.notes;

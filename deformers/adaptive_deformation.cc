@@ -1,0 +1,156 @@
+#include "deformers/adaptive_deformation.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "geometry/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kNothing = 1e-20;  // of F: what rounding leaves of it at rest
+
+void check(const GraphOptions& o) {
+  const auto& [start, rounds] = o.adaptive;
+  if (o.method == "file") {
+    throw InputError(
+        "graph.adaptive adds nodes, but graph.method is file, and a graph made by hand has its "
+        "own; use another method, or make graph.adaptive.start 0");
+  }
+  if (start < 1 || start >= o.nodes) {
+    throw InputError("graph.adaptive.start is " + std::to_string(start) +
+                     "; it is at least 1 and less than graph.nodes, which is " +
+                     std::to_string(o.nodes));
+  }
+  if (rounds < 1 || rounds > o.nodes - start) {
+    throw InputError("graph.adaptive.rounds is " + std::to_string(rounds) + "; it is 1 to " +
+                     std::to_string(o.nodes - start) + ", the number of nodes to be added");
+  }
+}
+
+// What the graph of a round is made with.
+EmbeddedDeformationOptions of_one_graph(EmbeddedDeformationOptions options) {
+  options.graph.nodes = std::exchange(options.graph.adaptive.start, 0);
+  return options;
+}
+
+// The report of a solve, with what those before it took.
+void add(const Report& before, Report& report) {
+  for (const auto& [phase, seconds] : before.seconds) report.seconds[phase] += seconds;
+  for (const auto& [phase, seconds] : before.solve.seconds) report.solve.seconds[phase] += seconds;
+  auto& steps = report.solve.iterations;
+  steps.insert(steps.begin(), before.solve.iterations.begin(), before.solve.iterations.end());
+  report.solve.initial_cost = before.solve.initial_cost;
+  report.solve.factorizations += before.solve.factorizations;
+  report.solve.cg_iterations += before.solve.cg_iterations;
+}
+
+}  // namespace
+
+Eigen::VectorXd node_costs(const Stage& stage) {
+  Eigen::VectorXd costs = Eigen::VectorXd::Zero(stage.x.nodes());
+  for (const auto& [energy, weight] : stage.terms) {
+    Eigen::MatrixXd r(energy->rows(), energy->size());
+    energy->residuals(stage.x, r.data());
+    for (int e = 0; e < energy->size(); ++e) {
+      const double share = weight * r.col(e).squaredNorm() / energy->arity();
+      for (const int j : energy->nodes(e)) costs[j] += share;
+    }
+  }
+  return costs;
+}
+
+std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3Xd& g,
+                                const Eigen::VectorXd& costs, int count) {
+  const Eigen::Index n = vertices.v.cols();
+  Eigen::VectorXd cost = Eigen::VectorXd::Zero(n), distance(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index a = 0; a < vertices.nodes.rows(); ++a) {
+      cost[i] += vertices.weights(a, i) * costs[vertices.nodes(a, i)];
+    }
+    distance[i] = (g.colwise() - vertices.v.col(i)).colwise().norm().minCoeff();
+  }
+  std::vector<int> worst;
+  while (static_cast<int>(worst.size()) < count) {
+    Eigen::Index at = 0;
+    if (!(cost.cwiseProduct(distance).maxCoeff(&at) > 0)) break;
+    worst.push_back(static_cast<int>(at));
+    distance =
+        distance.cwiseMin((vertices.v.colwise() - vertices.v.col(at)).colwise().norm().transpose());
+  }
+  return worst;
+}
+
+Transformations continued(const EmbeddedDeformation& deformation, std::span<const int> vertices) {
+  const Transformations X = deformation.transformations();
+  const Embedding at = subset(deformation.embedding(), vertices);
+  const Eigen::Matrix3Xd places = transfer_positions(X, deformation.graph().g, at);
+  Transformations result = Transformations::Zero(3, X.cols() + 4 * places.cols());
+  result.leftCols(X.cols()) = X;
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    auto node = result.middleCols<4>(X.cols() + 4 * i);
+    for (Eigen::Index a = 0; a < at.nodes.rows(); ++a) {
+      node.leftCols<3>() += at.weights(a, i) * X.middleCols<3>(4 * at.nodes(a, i));
+    }
+    node.col(3) = places.col(i) - at.v.col(i);
+  }
+  return result;
+}
+
+const EmbeddedDeformation* as_embedded(const Deformer& deformer) {
+  const auto* adaptive = dynamic_cast<const AdaptiveDeformation*>(&deformer);
+  return adaptive ? &adaptive->embedded() : dynamic_cast<const EmbeddedDeformation*>(&deformer);
+}
+
+AdaptiveDeformation::AdaptiveDeformation(Shape rest, const EmbeddedDeformationOptions& options,
+                                         std::span<const Cut> cuts)
+    : rest_(std::move(rest)), options_(options), cuts_(cuts.begin(), cuts.end()) {
+  check(options_.graph);
+  embedded_ = std::make_unique<EmbeddedDeformation>(rest_, of_one_graph(options_), cuts_);
+}
+
+void AdaptiveDeformation::compile(const Handles& handles) {
+  embedded_->compile(handles);
+  handles_ = handles;
+}
+
+// How many nodes follow m: every round multiplies them alike.
+int AdaptiveDeformation::next_count(int m) const {
+  const auto& [start, rounds] = options_.graph.adaptive;
+  const double nodes = options_.graph.nodes;
+  for (int round = 1; round < rounds; ++round) {
+    const double share = static_cast<double>(round) / rounds;
+    const auto count = static_cast<int>(std::lround(start * std::pow(nodes / start, share)));
+    if (count > m) return count;
+  }
+  return options_.graph.nodes;
+}
+
+// False where nothing is left to add, or no reason to.
+bool AdaptiveDeformation::refine() {
+  const int m = static_cast<int>(embedded_->graph().g.cols());
+  const Eigen::VectorXd costs = node_costs(embedded_->stage());
+  if (m >= options_.graph.nodes || !(costs.sum() > kNothing)) return false;
+  const std::vector<int> added =
+      worst_vertices(embedded_->embedding(), embedded_->graph().g, costs, next_count(m) - m);
+  if (added.empty()) return false;
+  Eigen::Matrix3Xd g(3, m + static_cast<Eigen::Index>(added.size()));
+  g << embedded_->graph().g, rest_.V(Eigen::all, added);
+  auto finer = std::make_unique<EmbeddedDeformation>(rest_, g, of_one_graph(options_), cuts_);
+  finer->compile(handles_);
+  finer->begin_at(continued(*embedded_, added));
+  embedded_ = std::move(finer);
+  return true;
+}
+
+Report AdaptiveDeformation::update(const Eigen::Matrix3Xd& targets) {
+  Report report = embedded_->update(targets);
+  while (report.solve.status != Status::kFailed && refine()) {
+    const Report before = std::exchange(report, embedded_->update(targets));
+    add(before, report);
+  }
+  return report;
+}
+
+}  // namespace deformlab

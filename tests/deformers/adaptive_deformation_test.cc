@@ -1,0 +1,226 @@
+#include "deformers/adaptive_deformation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "geometry/error.h"
+#include "tests/support/shapes.h"
+
+namespace deformlab::test {
+namespace {
+
+// A strip that is held over the left 70 % of its length and lifted at its right end.
+struct Scene {
+  Shape shape;
+  Handles handles;
+  Eigen::Matrix3Xd targets;
+  double bends_from = 0.65;
+
+  explicit Scene(int n = 41) : shape(bumpy_plane(n, 1, 0)) {
+    shape.V.row(1) *= 0.3;
+    for (int i = 0; i < shape.V.cols(); ++i) {
+      if (shape.V(0, i) < 0.7 || shape.V(0, i) > 0.96) handles.moved.push_back(i);
+    }
+    targets = shape.V(Eigen::all, handles.moved);
+    for (auto q : targets.colwise()) {
+      if (q.x() > 0.9) q += Eigen::Vector3d(-0.05, 0, 0.12);
+    }
+  }
+};
+
+EmbeddedDeformationOptions options(int start = 30, int nodes = 80, int rounds = 3) {
+  EmbeddedDeformationOptions o;
+  o.graph.nodes = nodes;
+  o.graph.alpha = "length";
+  o.graph.adaptive = {start, rounds};
+  return o;
+}
+
+AdaptiveDeformation deformed(const Scene& scene, const EmbeddedDeformationOptions& o) {
+  AdaptiveDeformation deformer(scene.shape, o);
+  deformer.compile(scene.handles);
+  deformer.update(scene.targets);
+  return deformer;
+}
+
+EmbeddedDeformation coarse(const Scene& scene, int nodes = 30) {
+  EmbeddedDeformationOptions o = options(0, nodes);
+  EmbeddedDeformation deformer(scene.shape, o);
+  deformer.compile(scene.handles);
+  deformer.update(scene.targets);
+  return deformer;
+}
+
+TEST(AdaptiveDeformation, AddsNodesWhereTheShapeBends) {
+  const Scene scene;
+  const AdaptiveDeformation adaptive = deformed(scene, options());
+  const Eigen::Matrix3Xd& g = adaptive.embedded().graph().g;
+  ASSERT_EQ(g.cols(), 80);
+  EXPECT_EQ(g.leftCols(30), coarse(scene).graph().g);  // those of the start stay
+  int near = 0;
+  for (const auto added : g.rightCols(50).colwise()) near += added.x() > scene.bends_from;
+  EXPECT_GE(near, 40);
+  int uniform = 0;
+  const EmbeddedDeformation other = coarse(scene, 80);
+  for (const auto node : other.graph().g.colwise()) uniform += node.x() > scene.bends_from;
+  EXPECT_LE(uniform, 32);
+}
+
+TEST(AdaptiveDeformation, ComesNearerToAFineGraphThanAUniformOneOfTwiceAsManyNodes) {
+  const Scene scene(81);
+  const Eigen::Matrix3Xd fine = coarse(scene, 3000).deformed().V;
+  const double adaptive = (deformed(scene, options(60, 240, 4)).deformed().V - fine).norm();
+  const double uniform = (coarse(scene, 480).deformed().V - fine).norm();
+  EXPECT_LT(adaptive, uniform);
+}
+
+TEST(AdaptiveDeformation, AFinerGraphBeginsWhereTheCoarseOneEnded) {
+  const Scene scene;
+  for (const char* model : {"affine", "rigid"}) {
+    EmbeddedDeformationOptions o = options(0, 30);
+    o.rotation_model = model;
+    EmbeddedDeformation before(scene.shape, o);
+    before.compile(scene.handles);
+    before.update(scene.targets);
+    const std::vector<int> added =
+        worst_vertices(before.embedding(), before.graph().g, node_costs(before.stage()), 15);
+    ASSERT_EQ(added.size(), 15u);
+    Eigen::Matrix3Xd g(3, 45);
+    g << before.graph().g, scene.shape.V(Eigen::all, added);
+    EmbeddedDeformation after(scene.shape, g, o);
+    after.compile(scene.handles);
+    after.begin_at(continued(before, added));
+    const double moved = (before.deformed().V - scene.shape.V).colwise().norm().maxCoeff();
+    const auto gap = (after.deformed().V - before.deformed().V).colwise().norm();
+    EXPECT_LT(gap.maxCoeff(), 0.2 * moved) << model;
+    EXPECT_LT(gap.mean(), 0.01 * moved) << model;
+    const Report report = after.update(scene.targets);
+    after.reset();
+    const Report from_rest = after.update(scene.targets);
+    EXPECT_LT(report.solve.initial_cost, 0.1 * from_rest.solve.initial_cost) << model;
+    EXPECT_NEAR(report.solve.final_cost, from_rest.solve.final_cost,
+                1e-3 * from_rest.solve.final_cost)
+        << model;
+  }
+}
+
+TEST(AdaptiveDeformation, CostsOfNodesAddUpToF) {
+  const EmbeddedDeformation deformer = coarse(Scene());
+  const Eigen::VectorXd costs = node_costs(deformer.stage());
+  EXPECT_GT(costs.minCoeff(), 0);
+  const double F = cost(deformer.stage(), deformer.stage().x);
+  EXPECT_NEAR(costs.sum(), F, 1e-12 * F);
+}
+
+TEST(AdaptiveDeformation, TakesTheCostliestPlacesFarFromNodesFirst) {
+  Embedding vertices;
+  vertices.v = Eigen::Matrix3Xd::Zero(3, 5);
+  vertices.v.row(0) << 0, 1, 2, 9, 10;
+  vertices.nodes = Eigen::MatrixXi(1, 5);
+  vertices.nodes << 0, 0, 0, 1, 1;
+  vertices.weights = Eigen::MatrixXd::Ones(1, 5);
+  Eigen::Matrix3Xd g(3, 2);
+  g << 0, 10, 0, 0, 0, 0;
+  const auto worst = [&](double a, double b, int count) {
+    return worst_vertices(vertices, g, Eigen::Vector2d(a, b), count);
+  };
+  EXPECT_THAT(worst(1, 1, 2), ::testing::ElementsAre(2, 1));
+  EXPECT_THAT(worst(1, 3, 2), ::testing::ElementsAre(3, 2));
+  EXPECT_THAT(worst(0, 1, 9), ::testing::ElementsAre(3));
+  EXPECT_THAT(worst(1, 1, 9), ::testing::ElementsAre(2, 1, 3));  // each vertex once
+  EXPECT_THAT(worst(0, 0, 9), ::testing::IsEmpty());
+}
+
+TEST(AdaptiveDeformation, AddsNothingAtRestAndNothingMoreOnceItIsThere) {
+  const Scene scene;
+  AdaptiveDeformation deformer(scene.shape, options());
+  deformer.compile(scene.handles);
+  const Report rest = deformer.update(scene.shape.V(Eigen::all, scene.handles.moved));
+  EXPECT_EQ(rest.nodes, 30);
+  EXPECT_EQ(deformer.update(scene.targets).nodes, 80);
+  const Eigen::Matrix3Xd g = deformer.embedded().graph().g;
+  EXPECT_EQ(deformer.update(scene.targets).nodes, 80);
+  deformer.reset();
+  EXPECT_EQ(deformer.deformed().V, scene.shape.V);
+  deformer.compile(scene.handles);
+  deformer.update(scene.targets);
+  EXPECT_EQ(deformer.embedded().graph().g, g);
+}
+
+TEST(AdaptiveDeformation, GivesTheSameTwiceAndOnTwoThreads) {
+  const Scene scene;
+  EmbeddedDeformationOptions threaded = options();
+  threaded.solver.threads = 2;
+  const AdaptiveDeformation one = deformed(scene, options()), other = deformed(scene, threaded);
+  EXPECT_EQ(one.deformed().V, deformed(scene, options()).deformed().V);
+  EXPECT_EQ(one.deformed().V, other.deformed().V);
+}
+
+TEST(AdaptiveDeformation, ReportsTheStepsOfAllSolves) {
+  const Scene scene;
+  AdaptiveDeformation deformer(scene.shape, options());
+  deformer.compile(scene.handles);
+  const Report report = deformer.update(scene.targets);
+  EXPECT_EQ(report.solve.unknowns, 12 * 80);
+  EmbeddedDeformation first(scene.shape, options(0, 30));
+  first.compile(scene.handles);
+  const Report start = first.update(scene.targets);
+  EXPECT_DOUBLE_EQ(report.solve.initial_cost, start.solve.initial_cost);
+  EXPECT_GT(report.solve.iterations.size(), start.solve.iterations.size() + 2);
+}
+
+TEST(AdaptiveDeformation, TakesWhatEmbeddedDeformationTakes) {
+  Scene scene;
+  EmbeddedDeformationOptions rigid = options(), along = options(), few = options(1, 2, 1);
+  rigid.rotation_model = "rigid";
+  along.graph.distance = "geodesic";
+  for (const EmbeddedDeformationOptions& o : {rigid, along, few}) {
+    EXPECT_EQ(deformed(scene, o).embedded().graph().g.cols(), o.graph.nodes);
+  }
+  EmbeddedDeformationOptions flat = options();
+  flat.dimension = 2;
+  scene.targets.row(1) += scene.targets.row(2);
+  scene.targets.row(2).setZero();
+  EXPECT_EQ(deformed(scene, flat).deformed().V.row(2).norm(), 0);
+  scene.shape.faces.clear();
+  EXPECT_EQ(deformed(scene, options()).embedded().graph().g.cols(), 80);
+}
+
+TEST(AdaptiveDeformation, HasANodeAVertexAtMost) {
+  Scene scene;
+  scene.shape = tube(4);
+  scene.handles.moved = {0, 1, 2, 45, 46};
+  scene.targets = 1.3 * scene.shape.V(Eigen::all, scene.handles.moved);
+  const AdaptiveDeformation deformer = deformed(scene, options(10, 300, 3));
+  EXPECT_LE(deformer.embedded().graph().g.cols(), 10 + scene.shape.V.cols());
+  EXPECT_TRUE(deformer.deformed().V.allFinite());
+}
+
+void expect_refused(const EmbeddedDeformationOptions& o, const std::string& said) {
+  try {
+    AdaptiveDeformation(Scene().shape, o);
+    ADD_FAILURE() << "accepted, where this was expected: " << said;
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr(said));
+  }
+}
+
+TEST(AdaptiveDeformation, RefusesWhatCannotBe) {
+  expect_refused(options(-1), "graph.adaptive.start is -1");
+  expect_refused(options(80), "graph.adaptive.start is 80; it is at least 1 and less than");
+  expect_refused(options(30, 80, 0), "graph.adaptive.rounds is 0; it is 1 to 50");
+  expect_refused(options(30, 80, 51), "graph.adaptive.rounds is 51; it is 1 to 50");
+  EmbeddedDeformationOptions by_hand = options();
+  by_hand.graph.method = "file";
+  by_hand.graph.file = "graph.obj";
+  expect_refused(by_hand, "graph.method is file");
+  EXPECT_THROW(EmbeddedDeformation(Scene().shape, options()), InputError);
+}
+
+TEST(AdaptiveDeformation, BeginsOnlyWithAsManyTransformations) {
+  EmbeddedDeformation deformer = coarse(Scene());
+  EXPECT_THROW(deformer.begin_at(rest_transformations(29)), InputError);
+}
+
+}  // namespace
+}  // namespace deformlab::test
