@@ -84,6 +84,18 @@ Metrics distortion(const Shape& rest, const Shape& deformed) {
           {"edge_error_mean", edge.mean()}};
 }
 
+Metrics region_distortion(const Shape& rest, const Shape& deformed,
+                          const std::vector<int>& vertices) {
+  const auto chosen = [&](int i) { return std::ranges::binary_search(vertices, i); };
+  Shape part{rest.V, Eigen::Matrix3Xd(3, 0), {}};
+  for (const auto& face : rest.faces) {
+    if (std::ranges::all_of(face, chosen)) part.faces.push_back(face);
+  }
+  Metrics result;
+  for (const auto& [name, value] : distortion(part, deformed)) result["region." + name] = value;
+  return result;
+}
+
 int count_components(const Shape& shape) {
   DeformationGraph vertices{shape.V, {}};
   for (const auto& face : shape.faces) {

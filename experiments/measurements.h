@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "deformers/deformer.h"
 #include "geometry/shape.h"
@@ -27,6 +28,11 @@ Metrics seconds_of(const Report& report);
 /// and edge_error_mean, the mean of |l/l_rest − 1| over the triangles' edges. Nothing for a shape
 /// without triangles.
 Metrics distortion(const Shape& rest, const Shape& deformed);
+
+/// The same of the part of the surface between some vertices (ascending), of the triangles whose
+/// corners are all among them, as region.shear_mean and so on. Nothing where there is none.
+Metrics region_distortion(const Shape& rest, const Shape& deformed,
+                          const std::vector<int>& vertices);
 
 /// How many parts a shape has that no face joins; a vertex without a face is one.
 int count_components(const Shape& shape);

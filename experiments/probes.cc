@@ -1,14 +1,31 @@
 #include "experiments/probes.h"
 
 #include "experiments/config.h"
+#include "experiments/edit.h"
 #include "geometry/error.h"
 
 namespace deformlab {
+namespace {
+
+Selection selection(const ConfigNode& region) {
+  Selection result;
+  read_value(region, "measure.region", result);
+  check_selection(result, "measure.region (" + region.where() + ")");
+  return result;
+}
+
+}  // namespace
 
 void check(const MeasureOptions& options) {
+  if (options.region.kind != ConfigNode::Kind::kNull) selection(options.region);
   if (options.detail >= 0 && options.detail <= 1) return;
   throw InputError("measure.detail is " + std::to_string(options.detail) +
                    "; it is 0 to 1, a part of the diagonal");
+}
+
+std::vector<int> region_of(const MeasureOptions& options, const Shape& shape) {
+  if (options.region.kind == ConfigNode::Kind::kNull) return {};
+  return select_vertices(selection(options.region), shape, "measure.region");
 }
 
 Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d) {

@@ -13,6 +13,7 @@ struct MeasureOptions {
   int stripes = 0;
   ConfigNode probes;
   ConfigNode reference;
+  ConfigNode region;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -25,11 +26,19 @@ struct MeasureOptions {
     visit("probes", o.probes, "places at rest whose way is measured: a list of coordinates");
     visit("reference", o.reference,
           "the run of a sweep that each is compared with: dotted keys and their values");
+    visit(
+        "region", o.region,
+        "a selection of vertices of a shape or of an animation's pose: the surface between them is "
+        "measured by itself too, as region.…");
   }
 };
 
-/// Throws InputError for options out of range.
+/// Throws InputError for options out of range, and a region that is no selection.
 void check(const MeasureOptions& options);
+
+/// The vertices of the region, ascending; none where no region is measured. Throws InputError where
+/// it selects nothing.
+std::vector<int> region_of(const MeasureOptions& options, const Shape& shape);
 
 /// The places of a list of coordinates, 3×n; with d = 2 each has two. Throws InputError where it is
 /// no such list.

@@ -46,6 +46,8 @@ Run run_shape(const ExperimentConfig& config, const std::filesystem::path& folde
   run.measured.metrics["handles"] = static_cast<double>(edit.handles.targets());
   run.measured.metrics["handle_rms_relative"] = size > 0 ? report.handle_rms / size : 0;
   run.measured.metrics.merge(distortion(rest, deformer->deformed()));
+  run.measured.metrics.merge(
+      region_distortion(rest, deformer->deformed(), region_of(config.measure, rest)));
   if (config.measure.detail > 0) {
     run.measured.metrics.merge(detail(rest, deformer->deformed(), config.measure.detail));
   }

@@ -17,7 +17,6 @@ struct AnimationOptions {
   double cell = 0.031;  ///< mean distance of the quadruped's vertices [length]
   KeyframesOptions keyframes;
   std::optional<int> path;
-  ConfigNode watch;
   int pictured = 6;
   SequenceOptions sequence;
 
@@ -31,7 +30,6 @@ struct AnimationOptions {
     visit("bend", o.bend, "how far the jet turns upwards over its length [degree], 0 to 180");
     KeyframesOptions::fields(o.keyframes, visit);
     visit("path", o.path, "id of the particle whose path carries the graph; else it is chosen");
-    visit("watch", o.watch, "a selection of vertices that is measured by itself, as watched.…");
     visit("pictured", o.pictured, "frames in the picture, evenly spread");
     visit("sequence", o.sequence, "its frames one by one, as pictures in a folder beside it");
   }

@@ -8,25 +8,12 @@
 #include "experiments/animation/mesh_measurements.h"
 #include "experiments/animation/solve_log.h"
 #include "experiments/animation/stream_log.h"
-#include "experiments/config.h"
 #include "geometry/error.h"
 
 namespace deformlab {
 namespace {
 
 constexpr int kMostFrames = 10'000;
-
-Selection watched(const ConfigNode& node) {
-  Selection selection;
-  read_value(node, "animation.watch", selection);
-  check_selection(selection, "animation.watch (" + node.where() + ")");
-  return selection;
-}
-
-std::vector<int> watched_vertices(const AnimationOptions& o, const Shape& pose) {
-  if (o.watch.kind == ConfigNode::Kind::kNull) return {};
-  return select_vertices(watched(o.watch), pose, "animation.watch");
-}
 
 SeenFrames frames_to_see(const AnimationOptions& o) {
   return {evenly_spread({0, o.frames - 1}, o.pictured), o.sequence};
@@ -42,7 +29,7 @@ Run run_gallop(const ExperimentConfig& config, const std::string& caption,
   const Shape pose = frame_of(script.pose.value_or(0));
   AnimatedDeformation deformer(pose, config.method.deformation);
   deformer.compile(motion.handles());
-  MeshMeasurements measurements(watched_vertices(o, pose));
+  MeshMeasurements measurements(region_of(config.measure, pose));
   SolveLog log;
   SeenFrames seen = frames_to_see(o);
   const double size = bounding_box_diagonal(pose.V);
@@ -108,7 +95,6 @@ void check(const AnimationOptions& o, const ConfigNode& edit) {
     throw InputError("animation.bend is " + std::to_string(o.bend) + "; it is 0 to 180 degrees");
   }
   check(o.sequence, o.frames);
-  if (o.watch.kind != ConfigNode::Kind::kNull) watched(o.watch);
   read_script(edit, o.keyframes);
 }
 

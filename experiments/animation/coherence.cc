@@ -60,20 +60,4 @@ double turn_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   return Eigen::AngleAxisd(R).angle() * 180 / std::numbers::pi;
 }
 
-double edge_error(const Shape& rest, const Eigen::Matrix3Xd& V, const std::vector<int>& vertices) {
-  const auto chosen = [&](int i) { return std::ranges::binary_search(vertices, i); };
-  double sum = 0;
-  int edges = 0;
-  for (const auto& face : rest.faces) {
-    for (std::size_t c = 0; c < face.size(); ++c) {
-      const int a = face[c], b = face[(c + 1) % face.size()];
-      if (!chosen(a) || !chosen(b)) continue;
-      const double length = (rest.V.col(a) - rest.V.col(b)).norm();
-      sum += std::abs(ratio((V.col(a) - V.col(b)).norm(), length) - 1);
-      ++edges;
-    }
-  }
-  return edges > 0 ? sum / edges : 0;
-}
-
 }  // namespace deformlab

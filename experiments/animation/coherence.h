@@ -47,7 +47,4 @@ class Coherence {
 /// The angle of the rotation that takes points best to others, both 3×n [degrees].
 double turn_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to);
 
-/// The mean over the edges between given vertices (ascending) of |l/l_rest − 1|.
-double edge_error(const Shape& rest, const Eigen::Matrix3Xd& V, const std::vector<int>& vertices);
-
 }  // namespace deformlab

@@ -15,7 +15,7 @@ namespace {
 const char* const kGallop =
     "title: a small gallop\n"
     "animation:\n  generator: gallop\n  frames: 4\n  cycle: 24\n  cell: 0.06\n  pictured: 2\n"
-    "  watch: {box: {min: [1.2, -1, 1.3], max: [2, 1, 2]}}\n"
+    "measure: {region: {box: {min: [1.2, -1, 1.3], max: [2, 1, 2]}}}\n"
     "graph: {nodes: 60}\n"
     "edit:\n"
     "  - {select: {nearest: [0.5, 0, 1.4]}, by: [0, 0, 0]}\n"
@@ -51,10 +51,11 @@ TEST_F(AnimationRun, MeasuresMeshes) {
   EXPECT_EQ(m.at("solves"), 4);
   EXPECT_EQ(m.at("handles"), 3);
   EXPECT_EQ(m.at("nodes"), 60);
-  for (const char* name : {"displacement", "unsteadiness", "watched.edge_error", "stretch_mean"}) {
+  for (const char* name :
+       {"displacement", "unsteadiness", "region.edge_error_mean", "stretch_mean"}) {
     EXPECT_GT(m.at(name).get<double>(), 0) << name;
   }
-  EXPECT_GT(m.at("watched.fast_motion_kept").get<double>(), 0.8);
+  EXPECT_GT(m.at("region.fast_motion_kept").get<double>(), 0.8);
 }
 
 TEST_F(AnimationRun, MeasuresParticles) {
@@ -123,8 +124,8 @@ TEST_F(AnimationRun, RefusesWhatCannotBe) {
       {"animation.cycle=0", {"animation.cycle"}},
       {"animation.cell=1", {"animation.cell", "0.01 to 0.06"}},
       {"animation.generator=trot", {"'trot'", "gallop, jet"}},
-      {"animation.watch={}", {"animation.watch", "exactly one of"}},
-      {"animation.watch={point: [0, 0, 0]}", {"animation.watch", "take 'nearest'"}},
+      {"measure.region={}", {"measure.region", "exactly one of"}},
+      {"measure.region={point: [0, 0, 0]}", {"measure.region", "take 'nearest'"}},
       {"animation.pose=9", {"'pose'", "0 to 3"}},
       {"animation.keyframes=[{frame: 9, edit: [{select: {all: true}, fix: true}]}]",
        {"names frame 9"}},
