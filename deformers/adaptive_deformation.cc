@@ -50,12 +50,13 @@ void add(const Report& before, Report& report) {
 
 Eigen::VectorXd node_costs(const Stage& stage) {
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(stage.x.nodes());
-  for (const auto& [energy, weight] : stage.terms) {
-    Eigen::MatrixXd r(energy->rows(), energy->size());
-    energy->residuals(stage.x, r.data());
-    for (int e = 0; e < energy->size(); ++e) {
-      const double share = weight * r.col(e).squaredNorm() / energy->arity();
-      for (const int j : energy->nodes(e)) costs[j] += share;
+  for (const WeightedEnergy& term : stage.terms) {
+    const Energy& energy = *term.energy;
+    Eigen::MatrixXd r(energy.rows(), energy.size());
+    energy.residuals(stage.x, r.data());
+    for (int e = 0; e < energy.size(); ++e) {
+      const double share = term.weight * squared_sum(r.col(e), term.loss.get()) / energy.arity();
+      for (const int j : energy.nodes(e)) costs[j] += share;
     }
   }
   return costs;

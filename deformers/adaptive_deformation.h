@@ -45,8 +45,7 @@ class AdaptiveDeformation final : public Deformer {
   std::unique_ptr<EmbeddedDeformation> embedded_;
 };
 
-/// Of every node its share of F = Σ w ‖r‖²: each element counts to equal parts for the nodes that
-/// it reads.
+/// Of every node its share of F: each element counts to equal parts for the nodes that it reads.
 Eigen::VectorXd node_costs(const Stage& stage);
 
 /// Vertices to add nodes at, one after another: where what the vertex's nodes cost, blended by
