@@ -68,7 +68,7 @@ std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3X
   Eigen::VectorXd cost = Eigen::VectorXd::Zero(n), distance(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index a = 0; a < vertices.nodes.rows(); ++a) {
-      cost[i] += vertices.weights(a, i) * costs[vertices.nodes(a, i)];
+      if (vertices.weights(a, i) > 0) cost[i] += costs[vertices.nodes(a, i)];
     }
     distance[i] = (g.colwise() - vertices.v.col(i)).colwise().norm().minCoeff();
   }

@@ -16,8 +16,8 @@ namespace deformlab {
 /// graph.nodes. An update that leaves the shape at rest adds none, and once there, nodes stay.
 ///
 /// Each refinement costs a registration and a compilation, so this saves nodes before it saves
-/// time. graph.alpha: length belongs to it: with equal weights a dense part bends more easily. A
-/// start too coarse for the fixed vertices holds nodes for good that a finer graph would let go.
+/// time; and the more of a shape an edit deforms, the fewer. graph.alpha: length belongs to it:
+/// with equal weights a dense part bends more easily.
 class AdaptiveDeformation final : public Deformer {
  public:
   /// Throws InputError as EmbeddedDeformation does, and for a graph made by hand, a start of less
@@ -48,9 +48,10 @@ class AdaptiveDeformation final : public Deformer {
 /// Of every node its share of F: each element counts to equal parts for the nodes that it reads.
 Eigen::VectorXd node_costs(const Stage& stage);
 
-/// Vertices to add nodes at, one after another: where what the vertex's nodes cost, blended by
-/// Eq. 4, times the distance to the nearest node there is by then is largest. Fewer than `count`
-/// where that is nowhere above zero.
+/// Vertices to add nodes at, one after another: where what the nodes that the vertex follows cost,
+/// times the distance to the nearest node there is by then, is largest. However little it follows
+/// them: a node may be fixed because of that vertex, until it has nearer ones. Fewer than `count`
+/// where nothing is above zero.
 ///   g  3×m nodes [length], costs  m.
 std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3Xd& g,
                                 const Eigen::VectorXd& costs, int count);

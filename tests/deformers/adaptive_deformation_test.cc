@@ -9,17 +9,17 @@
 namespace deformlab::test {
 namespace {
 
-// A strip that is held over the left 70 % of its length and lifted at its right end.
+// A strip that is held over the left part of its length and lifted at its right end.
 struct Scene {
   Shape shape;
   Handles handles;
   Eigen::Matrix3Xd targets;
   double bends_from = 0.65;
 
-  explicit Scene(int n = 41) : shape(bumpy_plane(n, 1, 0)) {
+  explicit Scene(int n = 41, double held = 0.7) : shape(bumpy_plane(n, 1, 0)) {
     shape.V.row(1) *= 0.3;
     for (int i = 0; i < shape.V.cols(); ++i) {
-      if (shape.V(0, i) < 0.7 || shape.V(0, i) > 0.96) handles.moved.push_back(i);
+      if (shape.V(0, i) < held || shape.V(0, i) > 0.96) handles.moved.push_back(i);
     }
     targets = shape.V(Eigen::all, handles.moved);
     for (auto q : targets.colwise()) {
@@ -67,7 +67,7 @@ TEST(AdaptiveDeformation, AddsNodesWhereTheShapeBends) {
 }
 
 TEST(AdaptiveDeformation, ComesNearerToAFineGraphThanAUniformOneOfTwiceAsManyNodes) {
-  const Scene scene(81);
+  const Scene scene(81, 0.8);
   const Eigen::Matrix3Xd fine = coarse(scene, 3000).deformed().V;
   const double adaptive = (deformed(scene, options(60, 240, 4)).deformed().V - fine).norm();
   const double uniform = (coarse(scene, 480).deformed().V - fine).norm();
@@ -129,6 +129,21 @@ TEST(AdaptiveDeformation, TakesTheCostliestPlacesFarFromNodesFirst) {
   EXPECT_THAT(worst(0, 1, 9), ::testing::ElementsAre(3));
   EXPECT_THAT(worst(1, 1, 9), ::testing::ElementsAre(2, 1, 3));  // each vertex once
   EXPECT_THAT(worst(0, 0, 9), ::testing::IsEmpty());
+}
+
+// A costly node may be fixed because of a fixed vertex far away that hardly follows it. It is free
+// once that vertex has nearer nodes.
+TEST(AdaptiveDeformation, ACostlyNodeCountsInFullForAllThatFollowIt) {
+  Embedding vertices;
+  vertices.v = Eigen::Matrix3Xd::Zero(3, 3);
+  vertices.v.row(0) << 3, 9, 10;
+  vertices.nodes = Eigen::MatrixXi(2, 3);
+  vertices.nodes << 0, 1, 1, 1, 0, 0;
+  vertices.weights = Eigen::MatrixXd(2, 3);
+  vertices.weights << 0.99, 0.99, 1, 0.01, 0.01, 0;
+  Eigen::Matrix3Xd g(3, 2);
+  g << 0, 10, 0, 0, 0, 0;
+  EXPECT_THAT(worst_vertices(vertices, g, Eigen::Vector2d(0, 1), 1), ::testing::ElementsAre(0));
 }
 
 TEST(AdaptiveDeformation, AddsNothingAtRestAndNothingMoreOnceItIsThere) {
