@@ -40,9 +40,10 @@ void SeparableCg::factorize() {
   for (int c = 0; c < A.cols(); ++c)
     largest = std::max(largest, A.valuePtr()[A.outerIndexPtr()[c]]);
   double ridge = kRidge * (largest > 0 ? largest : 1);
-  for (; !L_.factorize(A) && ridge < 1e300;
-       ridge *= 1000) {  // singular: some motion changes no term
+  factored_ = L_.factorize(A);
+  for (; !factored_ && ridge < 1e300; ridge *= 1000) {  // singular: some motion changes no term
     for (int c = 0; c < A.cols(); ++c) A.valuePtr()[A.outerIndexPtr()[c]] += ridge;
+    factored_ = L_.factorize(A);
   }
   remainder_ = linearization_->A() - A;
   remainder_.prune([](int row, int col, double value) { return row == col || value != 0; });
@@ -98,16 +99,17 @@ bool SeparableCg::solve(const Eigen::VectorXd& gradient, double damping, Eigen::
   return delta.allFinite();
 }
 
-// Conjugate gradients on H δ = r. False where H turns out not to be positive definite. As z is
-// M⁻¹ r, M times a direction p = z + β p comes from r by the same recurrence.
+// Conjugate gradients on H δ = r. False where H turns out not to be positive definite, or M is
+// none. As z is M⁻¹ r, M times a direction p = z + β p comes from r by the same recurrence.
 bool SeparableCg::iterate(double damping, double forcing, int most) {
   delta_.setZero();
+  measured_ = 0;
+  if (!factored_) return false;
   L_.solve(r_, z_, workers_);
   p_ = z_;
   Mp_ = r_;
   double rho = dot(r_, z_);
   const double enough = forcing * forcing * rho;
-  measured_ = 0;
   double share = 0;  // β / α of the last iteration
   int i = 0;
   for (; i < most && rho > enough; ++i) {

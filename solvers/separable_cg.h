@@ -42,6 +42,7 @@ class SeparableCg final : public StepSolver {
   std::unique_ptr<Linearization> linearization_;
   NodeSquares squares_;     // the terms that read one node each
   ColumnCholesky L_;        // of Ã, which stands in M = Ã ⊗ I_d
+  bool factored_ = false;   // not where Ã is not finite
   SparseMatrix remainder_;  // A − Ã, lower triangle
   Columns4 r_, z_, p_, Mp_, Hp_, delta_, D_;
   // Of the last solve's first iterations: the diagonal and what is beside it of the tridiagonal

@@ -155,5 +155,15 @@ TEST_F(Chain, IsFactoredInTheEndWhereItsConditionIsSeenLate) {
   EXPECT_THAT(s.notes.front(), HasSubstr("JᵀJ is factored instead"));
 }
 
+TEST(SeparableCgAlone, SaysThatItFailsWhereNothingCanBeFactored) {
+  for (const char* linear_solver : {"separable_cg", "auto"}) {
+    Stage stage = twisted_plate(30);
+    term(stage, "rotation").weight = 1e308;
+    const Summary s = solve(stage, gauss_newton(linear_solver, "accelerated"));
+    EXPECT_EQ(s.status, Status::kFailed) << linear_solver << ": " << s.message;
+    EXPECT_TRUE(stage.x.X.allFinite());
+  }
+}
+
 }  // namespace
 }  // namespace deformlab::test
