@@ -1,6 +1,8 @@
 #include "deformers/adaptive_deformation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <queue>
 #include <string>
 #include <utility>
 
@@ -62,23 +64,41 @@ Eigen::VectorXd node_costs(const Stage& stage) {
   return costs;
 }
 
+// Distances only shrink as nodes are chosen, and scores with them: a score that was computed
+// earlier is looked at again only when it comes to the top.
 std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3Xd& g,
                                 const Eigen::VectorXd& costs, int count) {
-  const Eigen::Index n = vertices.v.cols();
-  Eigen::VectorXd cost = Eigen::VectorXd::Zero(n), distance(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index a = 0; a < vertices.nodes.rows(); ++a) {
-      if (vertices.weights(a, i) > 0) cost[i] += costs[vertices.nodes(a, i)];
+  struct Candidate {
+    double cost, distance;
+    int vertex;
+    std::size_t seen = 0;  // of the chosen ones
+    double score() const { return cost * distance; }
+    bool operator<(const Candidate& o) const {
+      return std::pair(score(), -vertex) < std::pair(o.score(), -o.vertex);
     }
-    distance[i] = (g.colwise() - vertices.v.col(i)).colwise().norm().minCoeff();
+  };
+  std::priority_queue<Candidate> candidates;
+  for (int i = 0; i < vertices.v.cols(); ++i) {
+    double cost = 0;
+    for (Eigen::Index a = 0; a < vertices.nodes.rows(); ++a) {
+      if (vertices.weights(a, i) > 0) cost += costs[vertices.nodes(a, i)];
+    }
+    const double distance = (vertices.v.col(i) - g.col(vertices.nodes(0, i))).norm();
+    if (cost * distance > 0) candidates.push({cost, distance, i});
   }
   std::vector<int> worst;
-  while (static_cast<int>(worst.size()) < count) {
-    Eigen::Index at = 0;
-    if (!(cost.cwiseProduct(distance).maxCoeff(&at) > 0)) break;
-    worst.push_back(static_cast<int>(at));
-    distance =
-        distance.cwiseMin((vertices.v.colwise() - vertices.v.col(at)).colwise().norm().transpose());
+  while (static_cast<int>(worst.size()) < count && !candidates.empty()) {
+    Candidate top = candidates.top();
+    candidates.pop();
+    if (top.seen == worst.size()) {
+      worst.push_back(top.vertex);
+      continue;
+    }
+    for (; top.seen < worst.size(); ++top.seen) {
+      const auto away = vertices.v.col(top.vertex) - vertices.v.col(worst[top.seen]);
+      top.distance = std::min(top.distance, away.norm());
+    }
+    if (top.score() > 0) candidates.push(top);
   }
   return worst;
 }
@@ -150,6 +170,12 @@ Report AdaptiveDeformation::update(const Eigen::Matrix3Xd& targets) {
   while (report.solve.status != Status::kFailed && refine()) {
     const Report before = std::exchange(report, embedded_->update(targets));
     add(before, report);
+  }
+  const int wanted = options_.graph.nodes;
+  if (report.nodes < wanted && node_costs(embedded_->stage()).sum() > kNothing) {
+    report.notes.push_back("the graph has " + std::to_string(report.nodes) +
+                           " nodes instead of graph.nodes, " + std::to_string(wanted) +
+                           ": every vertex where the terms cost anything has one");
   }
   return report;
 }

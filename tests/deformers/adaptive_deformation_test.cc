@@ -206,8 +206,10 @@ TEST(AdaptiveDeformation, HasANodeAVertexAtMost) {
   scene.shape = tube(4);
   scene.handles.moved = {0, 1, 2, 45, 46};
   scene.targets = 1.3 * scene.shape.V(Eigen::all, scene.handles.moved);
-  const AdaptiveDeformation deformer = deformed(scene, options(10, 300, 3));
+  AdaptiveDeformation deformer = deformed(scene, options(10, 300, 3));
   EXPECT_LE(deformer.embedded().graph().g.cols(), 10 + scene.shape.V.cols());
+  const Report report = deformer.update(scene.targets);
+  EXPECT_THAT(report.notes, ::testing::Contains(::testing::HasSubstr("instead of graph.nodes")));
   EXPECT_TRUE(deformer.deformed().V.allFinite());
 }
 
