@@ -10,14 +10,17 @@ StreamDeformation::StreamDeformation(const Eigen::Matrix3Xd& samples,
       neighbors_(options.graph.neighbors),
       deformation_(path_, path_graph(samples), options) {}
 
-Eigen::Matrix3Xd StreamDeformation::deformed(const Eigen::Matrix3Xd& places) const {
-  const Eigen::Matrix3Xd& g = deformation_.graph().g;
-  return transfer_positions(deformation_.transformations(), g, embed(places, g, neighbors_));
+Embedding StreamDeformation::influences(const Eigen::Matrix3Xd& places) const {
+  return embed(places, deformation_.graph().g, neighbors_);
+}
+
+Eigen::Matrix3Xd StreamDeformation::deformed(const Embedding& particles) const {
+  return transfer_positions(deformation_.transformations(), deformation_.graph().g, particles);
 }
 
 Eigen::Matrix3Xd StreamDeformation::turns(const Eigen::Matrix3Xd& places) const {
   const Transformations X = deformation_.transformations();
-  const Embedding e = embed(places, deformation_.graph().g, neighbors_);
+  const Embedding e = influences(places);
   Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, 3 * places.cols());
   for (Eigen::Index i = 0; i < places.cols(); ++i) {
     for (Eigen::Index a = 0; a < e.nodes.rows(); ++a) {

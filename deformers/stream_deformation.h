@@ -22,8 +22,13 @@ class StreamDeformation {
   Report update(const Eigen::Matrix3Xd& targets) { return deformation_.update(targets); }
   void reset() { deformation_.reset(); }
 
-  /// Where particles (3×n, n ≥ 0) go that are at `places` now [length].
-  Eigen::Matrix3Xd deformed(const Eigen::Matrix3Xd& places) const;
+  /// Where particles (3×n, n ≥ 0) go that are at `places` now [length]: their weights, Eq. 4, and
+  /// by these Eq. 2.
+  Eigen::Matrix3Xd deformed(const Eigen::Matrix3Xd& places) const {
+    return deformed(influences(places));
+  }
+  Embedding influences(const Eigen::Matrix3Xd& places) const;
+  Eigen::Matrix3Xd deformed(const Embedding& particles) const;
   /// Σ_j w_j R_j at each place, side by side, 3×3n: how space is turned there.
   Eigen::Matrix3Xd turns(const Eigen::Matrix3Xd& places) const;
   const EmbeddedDeformation& deformation() const { return deformation_; }

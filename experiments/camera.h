@@ -10,6 +10,7 @@ struct Camera {
   Eigen::Vector3d up{0, 0, 1};                ///< points upward in the picture
   double field_of_view = 30;                  ///< vertical [degrees]
   double margin = 0.05;                       ///< left white on every side, part of the picture
+  bool operator==(const Camera&) const = default;
 };
 
 /// A camera that stands. Pictures are computed in coordinates where what was framed lies around

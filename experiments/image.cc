@@ -152,16 +152,20 @@ Image grid(const std::vector<Image>& images, int columns) {
                      std::to_string(columns) + " columns: each must be at least 1");
   const int count = static_cast<int>(images.size());
   columns = std::min(columns, count);
-  int width = 0, height = 0;
-  for (const Image& image : images) {
-    width = std::max(width, image.width);
-    height = std::max(height, image.height);
-  }
-  Image all(columns * width, (count + columns - 1) / columns * height);
+  int width = 0;
+  std::vector<int> top{0};  // of each row, and of one more
   for (int i = 0; i < count; ++i) {
     const Image& image = images[static_cast<std::size_t>(i)];
+    if (i % columns == 0) top.push_back(top.back());
+    width = std::max(width, image.width);
+    top.back() = std::max(top.back(), *(top.end() - 2) + image.height);
+  }
+  Image all(columns * width, top.back());
+  for (int i = 0; i < count; ++i) {
+    const Image& image = images[static_cast<std::size_t>(i)];
+    const auto row = static_cast<std::size_t>(i / columns);
     copy(image, all, i % columns * width + (width - image.width) / 2,
-         i / columns * height + (height - image.height) / 2);
+         (top[row] + top[row + 1] - image.height) / 2);
   }
   return all;
 }

@@ -31,7 +31,8 @@ struct Image {
 /// the font (DejaVu Sans) is not installed.
 Image with_caption(const Image& image, const std::string& text);
 
-/// The images row by row in `columns` columns, each centred in a cell as large as the largest.
+/// The images row by row in `columns` columns, each centred in a cell as wide as the widest of all
+/// and as high as the highest of its row.
 /// Throws InputError where there are no images or `columns` is not positive.
 Image grid(const std::vector<Image>& images, int columns);
 

@@ -7,7 +7,6 @@ namespace deformlab {
 namespace {
 
 constexpr double kNodeShare = 0.03;  // of a mean edge: nodes of a dense graph are drawn smaller
-constexpr double kAlike = 10;        // shapes of more different sizes are framed one by one
 constexpr std::size_t kMostHandleBalls = 60;  // more are a region, which its tint shows better
 
 // A square at each deformed node, upright along x at rest, as its R_j deforms it: the
@@ -32,20 +31,12 @@ Eigen::Matrix3Xd deformed_nodes(const DeformationGraph& graph, const Transformat
   return places;
 }
 
-// Whether all show at one scale; a sweep over shapes may not.
-bool are_alike(const std::vector<std::unique_ptr<Shape>>& shapes) {
-  std::vector<double> sizes;
-  for (const auto& shape : shapes) sizes.push_back(bounding_box_diagonal(shape->V));
-  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
-  return *most <= kAlike * *least;
-}
-
 }  // namespace
 
 void PictureBook::add(const Shape& shape, const ResolvedEdit& edit, const Eigen::Matrix3Xd& points,
                       const std::string& caption) {
   shapes_.push_back(std::make_unique<Shape>(shape));
-  Panel panel{.shape = shapes_.back().get(), .caption = caption};
+  Panel panel{.shape = shapes_.back().get(), .caption = caption, .camera = camera_};
   const double size = bounding_box_diagonal(shape.V);
   panel.vertex_colors = tinted(shape, edit.handles.fixed);
   const auto& moved = edit.handles.moved;
@@ -92,10 +83,7 @@ Image PictureBook::render() const {
   const RenderOptions options = render_options(options_);
   const int wanted = options_.columns > 0 ? options_.columns : panels_.size() <= 2 ? 2 : 4;
   const int columns = std::min<int>(wanted, static_cast<int>(panels_.size()));
-  if (are_alike(shapes_)) return render_grid(panels_, options, columns);
-  std::vector<Image> images;
-  for (const Panel& panel : panels_) images.push_back(render_grid({panel}, options, 1));
-  return grid(images, columns);
+  return render_grid(panels_, options, columns);
 }
 
 }  // namespace deformlab

@@ -18,6 +18,7 @@ class PictureBook {
  public:
   explicit PictureBook(const PictureOptions& options) : options_(options) {}
 
+  void look_by(const Camera& camera) { camera_ = camera; }  ///< at the panels to come
   void add_rest(const Deformer& deformer, const Shape& rest, const ResolvedEdit& edit);
   void add_deformed(const Deformer& deformer, const ResolvedEdit& edit, const std::string& caption);
   bool empty() const { return panels_.empty(); }
@@ -29,6 +30,7 @@ class PictureBook {
   void add_graph(const EmbeddedDeformation& deformer, const Transformations& X);
 
   PictureOptions options_;
+  std::optional<Camera> camera_;
   std::vector<std::unique_ptr<Shape>> shapes_;  // the panels point at them
   std::vector<Panel> panels_;
 };

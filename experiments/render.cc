@@ -15,6 +15,7 @@ namespace {
 
 constexpr float kHiddenOpacity = 0.55F;  // of what lies just below the surface
 constexpr float kFadeDepth = 0.06F;      // where it is gone, framed coordinates
+constexpr double kAlike = 10;            // shapes of more different sizes are framed one by one
 constexpr float kForgivenDepth = 2.0F;   // in radii: what is so near the surface counts as on it
 
 /// Directions towards the lights, as the camera sees them: however it stands, the picture is lit.
@@ -153,6 +154,19 @@ void render_row(const Scene& scene, int y, int samples, Image& image) {
   }
 }
 
+// Whether all show at one scale, seen by one camera; a sweep over shapes may not.
+bool are_alike(const std::vector<Panel>& panels) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Panel& panel : panels) {
+    if (panel.camera != panels[0].camera) return false;
+    if (!panel.shape) continue;
+    const double size = bounding_box_diagonal(panel.shape->V);
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  return panels.size() < 2 || most <= kAlike * least;
+}
+
 }  // namespace
 
 Eigen::Matrix3Xd tinted(const Shape& shape, const std::vector<int>& vertices, const Color& color) {
@@ -203,9 +217,12 @@ Image render(const Panel& panel, const View& view, const RenderOptions& options)
 }
 
 std::vector<Image> render_alike(const std::vector<Panel>& panels, const RenderOptions& options) {
-  const View view = frame(extent(panels), options.camera, options.width, options.height);
+  const Eigen::Matrix3Xd all = extent(panels);
   std::vector<Image> images;
-  for (const Panel& panel : panels) images.push_back(render(panel, view, options));
+  for (const Panel& panel : panels) {
+    const Camera& camera = panel.camera ? *panel.camera : options.camera;
+    images.push_back(render(panel, frame(all, camera, options.width, options.height), options));
+  }
   images = cropped_alike(images, options.width / 40);
   for (std::size_t i = 0; i < panels.size(); ++i)
     images[i] = with_caption(images[i], panels[i].caption);
@@ -213,8 +230,13 @@ std::vector<Image> render_alike(const std::vector<Panel>& panels, const RenderOp
 }
 
 Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns) {
-  const int all = std::max(1, static_cast<int>(panels.size()));
-  return grid(render_alike(panels, options), columns > 0 ? columns : all);
+  std::vector<Image> images;
+  if (are_alike(panels)) {
+    images = render_alike(panels, options);
+  } else {
+    for (const Panel& panel : panels) images.push_back(render_alike({panel}, options).front());
+  }
+  return grid(images, columns > 0 ? columns : std::max(1, static_cast<int>(panels.size())));
 }
 
 }  // namespace deformlab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Panel {
   std::vector<Ball> balls = {};
   std::vector<Stick> sticks = {};
   std::string caption = {};
+  std::optional<Camera> camera = {};  ///< in the place of the options' one
 };
 
 struct RenderOptions {
@@ -69,11 +71,12 @@ Eigen::Matrix3Xd extent(const std::vector<Panel>& panels);
 /// none nor one a vertex.
 Image render(const Panel& panel, const View& view, const RenderOptions& options);
 
-/// A picture of each panel as one camera sees them, framed together, margins cut alike, each over
-/// its caption. Throws InputError as `render` does.
+/// A picture of each panel over its caption, all framed together and their margins cut alike.
+/// Throws InputError as `render` does.
 std::vector<Image> render_alike(const std::vector<Panel>& panels, const RenderOptions& options);
 
-/// The same pictures in `columns` columns (0: one row). Throws InputError as `grid` does too.
+/// These in `columns` columns (0: one row); but where the panels have different cameras, or shapes
+/// of very different sizes, each is framed by itself. Throws InputError as `grid` does too.
 Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns = 0);
 
 }  // namespace deformlab

@@ -54,9 +54,11 @@ std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
   return result;
 }
 
-// Each run is of the rest of the config: the pictures, the claims and the sweep are of all of them.
+// Each run is of the rest of the config: the claims, the sweep and the picture, but for where it is
+// seen from, are of all of them.
 void check_swept_keys(const ConfigNode& sweep) {
   for (const ConfigNode* swept : swept_keys(sweep)) {
+    if (swept->key == "picture.direction" || swept->key == "picture.up") continue;
     const std::string key = swept->key.substr(0, swept->key.find('.'));
     for (const char* whole : {"title", "paper", "picture", "sweep", "claims"}) {
       if (key != whole) continue;
@@ -105,6 +107,7 @@ Plan plan(const std::filesystem::path& path, const std::vector<Override>& overri
     make_solver(result.runs.back().method.deformation.solver);
     check(result.runs.back().drag);
     check(result.runs.back().measure);
+    check(result.runs.back().picture);
     check_edit(result.runs.back());
   }
   if (result.config.measure.reference.kind != ConfigNode::Kind::kNull) {
@@ -124,6 +127,9 @@ class Books {
     if (is_drawing(config)) {
       return run_drawing(config, folder, caption, drawings_.empty(), drawings_);
     }
+    const Camera camera = render_options(config.picture).camera;
+    shapes_.look_by(camera);
+    animations_.look_by(camera);
     if (is_animation(config)) {
       return run_animation(config, caption, animations_);
     }

@@ -54,14 +54,16 @@ Panel AnimationBook::input_panel(const SeenFrame& seen, const std::string& capti
   shapes_.push_back(std::make_unique<Shape>(seen.input));
   return {.shape = shapes_.back().get(),
           .vertex_colors = tinted(seen.input, seen.tinted),
-          .caption = caption};
+          .caption = caption,
+          .camera = camera_};
 }
 
 Panel AnimationBook::output_panel(const SeenFrame& seen, const std::string& caption) {
   shapes_.push_back(std::make_unique<Shape>(seen.output));
   Panel panel{.shape = shapes_.back().get(),
               .vertex_colors = tinted(seen.output, seen.tinted),
-              .caption = caption};
+              .caption = caption,
+              .camera = camera_};
   const double size = bounding_box_diagonal(seen.output.V);
   add_balls(panel, seen.handles, kHandleRadius * size, colors::kHandle);
   return panel;
@@ -73,7 +75,7 @@ void AnimationBook::add_to_sheet(const SeenFrames& frames, const DeformationGrap
   for (const auto& [frame, seen] : frames.all()) {
     if (!frames.is_in_sheet(frame)) continue;
     const std::string name = "frame " + std::to_string(frame);
-    if (runs_ == 0) inputs.push_back(input_panel(seen, name));
+    if (runs_ == 0 && options_.rest) inputs.push_back(input_panel(seen, name));
     outputs.push_back(output_panel(seen, caption + ", " + name));
   }
   columns_ = static_cast<int>(outputs.size());

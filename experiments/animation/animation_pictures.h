@@ -69,8 +69,9 @@ class AnimationBook {
  public:
   explicit AnimationBook(const PictureOptions& options) : options_(options) {}
 
+  void look_by(const Camera& camera) { camera_ = camera; }  ///< at the runs to come
   /// Adds a run, and before the first its input, with the graph (at rest in the first frame of the
-  /// sheet) where the options ask for it.
+  /// sheet), where the options ask for them.
   void add(const SeenFrames& frames, const DeformationGraph& graph, const std::string& caption);
   bool empty() const { return runs_ == 0; }
   Image sheet() const;
@@ -85,6 +86,7 @@ class AnimationBook {
   void add_to_sequence(const SeenFrames& frames, const std::string& caption);
 
   PictureOptions options_;
+  std::optional<Camera> camera_;
   int runs_ = 0, columns_ = 1;
   std::vector<std::unique_ptr<Shape>> shapes_;  // the panels point at them
   std::vector<Panel> sheet_;                    // row by row

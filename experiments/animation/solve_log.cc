@@ -59,8 +59,10 @@ Run SolveLog::run() const {
   run.measured.metrics.merge(metrics_of(last_));
   run.measured.metrics["iterations_mean"] = iterations_ / frames_;
   run.measured.metrics["solves"] = frames_;
-  run.seconds = seconds_;
-  run.seconds["seconds.update"] = seconds_.at("seconds.solve") / frames_;
+  for (const auto& [phase, seconds] : seconds_) {
+    run.seconds[phase] = is_registration(phase) ? seconds : seconds / frames_;
+  }
+  run.seconds["seconds.update"] = run.seconds.at("seconds.solve");
   return run;
 }
 

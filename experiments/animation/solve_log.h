@@ -4,7 +4,8 @@
 
 namespace deformlab {
 
-/// Gathers the reports of all frames of an animation into those of one run.
+/// Gathers the reports of all frames of an animation into those of one run. Its seconds are means
+/// of the frames that were solved, but for those of registration, which are paid once.
 class SolveLog {
  public:
   void add(const Report& report, double size);  ///< `size` of the shape [length]

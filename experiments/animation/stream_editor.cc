@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/error.h"
+#include "solvers/stopwatch.h"
 
 namespace deformlab {
 namespace {
@@ -41,7 +42,14 @@ void StreamEditor::solve(const Eigen::Matrix3Xd& offsets) {
 Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
   const Eigen::Matrix3Xd offsets = motion_.offsets(frame);
   if (solves_ == 0 || offsets != offsets_) solve(offsets);
-  return stream_.deformed(places_of(rows));
+  seconds_ = {};
+  Embedding particles;
+  {
+    Stopwatch watch(seconds_.weights);
+    particles = stream_.influences(places_of(rows));
+  }
+  Stopwatch watch(seconds_.transfer);
+  return stream_.deformed(particles);
 }
 
 }  // namespace deformlab

@@ -19,7 +19,12 @@ class StreamEditor {
 
   /// Where the particles of a frame go, 3×#rows [length].
   Eigen::Matrix3Xd edited(int frame, ParticleFrame rows);
-  const Report& report() const { return report_; }               ///< of the last solve
+  const Report& report() const { return report_; }  ///< of the last solve
+  /// What the last frame took, beside a solve: its particles' weights, and their transfer by Eq. 2.
+  struct Seconds {
+    double weights = 0, transfer = 0;
+  };
+  const Seconds& seconds() const { return seconds_; }
   int solves() const { return solves_; }                         ///< how often the solver was asked
   Eigen::Matrix3Xd handles() const { return rest_ + offsets_; }  ///< where they should be now
   double worst_handle() const { return worst_handle_; }
@@ -36,6 +41,7 @@ class StreamEditor {
   HandleMotion motion_;
   Eigen::Matrix3Xd rest_, offsets_;  // of the handles
   Report report_;
+  Seconds seconds_;
   double worst_handle_ = 0;
   int solves_ = 0;
 };

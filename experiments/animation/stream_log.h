@@ -11,14 +11,17 @@ class StreamLog {
  public:
   void add(const StreamEditor& editor, ParticleFrame rows, const Eigen::Matrix3Xd& edited);
 
-  /// The metrics of SolveLog, StreamMeasurements and twist_of, handles, and node_motion: how far
-  /// the nodes go in the mean, as a part of their bounding box's diagonal.
+  /// The metrics of SolveLog, StreamMeasurements and twist_of, handles, vertices (the particles of
+  /// a frame in the mean), and node_motion: how far the nodes go in the mean, as a part of their
+  /// bounding box's diagonal. Of the seconds, those of a frame's particles in the mean:
+  /// seconds.weights and seconds.transfer.
   Run run(const StreamEditor& editor) const;
 
  private:
   SolveLog solves_;
   StreamMeasurements measurements_;
-  int seen_ = 0;  // of the editor's solves
+  StreamEditor::Seconds seconds_;  // of all frames
+  int seen_ = 0;                   // of the editor's solves
 };
 
 }  // namespace deformlab

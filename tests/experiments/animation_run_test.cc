@@ -105,6 +105,18 @@ TEST_F(AnimationRun, ASequenceShowsEachRunOfASweep) {
   EXPECT_GT(three.substr(0, 4), one.substr(0, 4));  // but wider: big endian, which compares as text
 }
 
+TEST_F(AnimationRun, ASweepMayLookFromElsewhere) {
+  const std::string from_above = "picture.direction: [0, 0, -1], picture.up: [1, 0, 0]";
+  expect_success({"run", "gallop.yaml"});
+  const std::string one = get("results/gallop/picture.png");
+  expect_success({"run", "gallop.yaml",
+                  "sweep={seen: {here: {graph.nodes: 60}, there: {" + from_above + "}}}"});
+  EXPECT_FALSE(get("results/gallop/picture.png") == one);
+  expect_refused({"run", "gallop.yaml", "sweep={picture.width: [30, 40]}"}, {"changes no run"});
+  expect_refused({"run", "gallop.yaml", "sweep={picture.up: [[0, 0, 0]]}"},
+                 {"camera", "parallel to its up"});
+}
+
 TEST_F(AnimationRun, SweepsShowEachRun) {
   expect_success({"run", "gallop.yaml", "sweep={graph.nodes: [50, 60]}"});
   EXPECT_TRUE(exists("results/gallop/trace_002.csv"));

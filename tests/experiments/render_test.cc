@@ -201,6 +201,19 @@ TEST(Render, PanelsShareTheCameraAndStandSideBySide) {
   EXPECT_NEAR(left, right / 4, 60);
 }
 
+TEST(Render, APanelMayHaveACameraOfItsOwn) {
+  const Shape shape = square();
+  RenderOptions from_the_edge = from_above();
+  from_the_edge.camera.direction = {0, 1, -0.1};
+  from_the_edge.camera.up = {0, 0, 1};
+  const Image flat = render_grid({{.shape = &shape}}, from_the_edge);
+  const Image own = render_grid({{.shape = &shape, .camera = from_the_edge.camera}}, from_above());
+  EXPECT_EQ(own.rgb, flat.rgb);
+  const auto both = render_alike(
+      {{.shape = &shape}, {.shape = &shape, .camera = from_the_edge.camera}}, from_above());
+  EXPECT_LT(drawn(both[1]), drawn(both[0]) / 2);
+}
+
 TEST(Image, CaptionIsDrawnBelow) {
   const Image captioned = with_caption(Image(100, 50), "E = ½ ‖r‖²");
   EXPECT_EQ(captioned.width, 100);
@@ -217,7 +230,7 @@ TEST(Image, GridFillsRowsAndCentersWhatIsSmaller) {
   dark.rgb.assign(dark.rgb.size(), 0);
   const Image all = grid({Image(8, 8), dark, dark}, 2);
   EXPECT_EQ(all.width, 16);
-  EXPECT_EQ(all.height, 16);
+  EXPECT_EQ(all.height, 12);
   EXPECT_EQ(drawn(all), 32);
   EXPECT_FALSE(white(all, 10, 2));
   EXPECT_FALSE(white(all, 2, 10));
