@@ -51,6 +51,14 @@ Json solver_json(const Summary& s) {
           {"message", s.message}};
 }
 
+// The same beside metrics, where its method goes by the name of the solver.
+Json flat_solver_json(const Summary& s) {
+  Json document{{"solver", s.method}};
+  document.update(solver_json(s));
+  document.erase("method");
+  return document;
+}
+
 // All but costs, and counts as whole numbers.
 void add_metrics(const Metrics& metrics, Json& document) {
   for (const auto& [name, value] : metrics) {
@@ -248,7 +256,7 @@ void write_results(const Outcome& outcome, const fs::path& folder) {
 }
 
 std::string to_json(const Report& report) {
-  Json document = solver_json(report.solve);
+  Json document = flat_solver_json(report.solve);
   add_metrics(metrics_of(report), document);
   document["cost"] = {{"total", report.solve.final_cost},
                       {"by_term", json(report.solve.cost_by_term)}};
@@ -259,7 +267,7 @@ std::string to_json(const Report& report) {
 }
 
 std::string to_json(const Run& run) {
-  Json document = solver_json(run.solve);
+  Json document = flat_solver_json(run.solve);
   add_metrics(run.measured.metrics, document);
   for (const char* of_last : {"status", "message", "initial_cost"}) document.erase(of_last);
   document["seconds"] = json(run.seconds);
