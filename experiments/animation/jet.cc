@@ -7,7 +7,7 @@
 namespace deformlab {
 namespace {
 
-constexpr int kBorn = 10, kLife = 107;  // particles a frame, and frames of each
+constexpr int kBorn = 10, kLife = 107;        // particles a frame, and frames of each
 constexpr double kSpeed = 6, kSlower = 0.15;  // at the age of 0, and by how much it is less at 1
 constexpr double kLength = kSpeed * (1 - kSlower);
 
