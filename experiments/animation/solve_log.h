@@ -14,7 +14,7 @@ class SolveLog {
  private:
   Report last_;
   Metrics worst_;
-  Metrics seconds_;
+  Metrics seconds_, least_seconds_;
   double iterations_ = 0, frames_ = 0;
   std::vector<std::string> notes_;
 };

@@ -20,8 +20,8 @@ void StreamLog::add(const StreamEditor& editor, ParticleFrame rows,
   }
   seen_ = editor.solves();
   measurements_.add(editor.stream(), rows, edited);
-  seconds_.weights += editor.seconds().weights;
-  seconds_.transfer += editor.seconds().transfer;
+  keep_least(least_seconds_, {{"seconds.weights", editor.seconds().weights},
+                              {"seconds.transfer", editor.seconds().transfer}});
 }
 
 Run StreamLog::run(const StreamEditor& editor) const {
@@ -29,10 +29,8 @@ Run StreamLog::run(const StreamEditor& editor) const {
   run.measured.metrics["handles"] = static_cast<double>(editor.motion().handles().targets());
   run.measured.metrics["node_motion"] = node_motion(editor.stream());
   run.measured.metrics.merge(measurements_.metrics());
-  const double frames = run.measured.metrics.at("frames");
   run.measured.metrics["vertices"] = run.measured.metrics.at("particles");
-  run.seconds["seconds.weights"] = seconds_.weights / frames;
-  run.seconds["seconds.transfer"] = seconds_.transfer / frames;
+  for (const auto& [phase, seconds] : least_seconds_) run.seconds[phase] = seconds;
   run.measured.metrics.merge(twist_of(editor.stream()));
   return run;
 }

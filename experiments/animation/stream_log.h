@@ -13,15 +13,15 @@ class StreamLog {
 
   /// The metrics of SolveLog, StreamMeasurements and twist_of, handles, vertices (the particles of
   /// a frame in the mean), and node_motion: how far the nodes go in the mean, as a part of their
-  /// bounding box's diagonal. Of the seconds, those of a frame's particles in the mean:
-  /// seconds.weights and seconds.transfer.
+  /// bounding box's diagonal. Of the seconds of a frame's particles the least: seconds.weights and
+  /// seconds.transfer.
   Run run(const StreamEditor& editor) const;
 
  private:
   SolveLog solves_;
   StreamMeasurements measurements_;
-  StreamEditor::Seconds seconds_;  // of all frames
-  int seen_ = 0;                   // of the editor's solves
+  Metrics least_seconds_;
+  int seen_ = 0;  // of the editor's solves
 };
 
 }  // namespace deformlab
