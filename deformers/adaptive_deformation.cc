@@ -48,6 +48,32 @@ void add(const Report& before, Report& report) {
   report.solve.cg_iterations += before.solve.cg_iterations;
 }
 
+// A vertex that may get a node. Distances only shrink as nodes are chosen, and scores with them:
+// one that was computed earlier is looked at again only when it comes to the top.
+struct Candidate {
+  double cost, distance;
+  int vertex;
+  std::size_t seen = 0;  // of the chosen ones
+  double score() const { return cost * distance; }
+  bool operator<(const Candidate& o) const {
+    return std::pair(score(), -vertex) < std::pair(o.score(), -o.vertex);
+  }
+};
+
+std::priority_queue<Candidate> candidates_of(const Embedding& vertices, const Eigen::Matrix3Xd& g,
+                                             const Eigen::VectorXd& costs) {
+  std::priority_queue<Candidate> candidates;
+  for (int i = 0; i < vertices.v.cols(); ++i) {
+    double cost = 0;
+    for (Eigen::Index a = 0; a < vertices.nodes.rows(); ++a) {
+      if (vertices.weights(a, i) > 0) cost += costs[vertices.nodes(a, i)];
+    }
+    const double distance = (vertices.v.col(i) - g.col(vertices.nodes(0, i))).norm();
+    if (cost * distance > 0) candidates.push({cost, distance, i});
+  }
+  return candidates;
+}
+
 }  // namespace
 
 Eigen::VectorXd node_costs(const Stage& stage) {
@@ -64,28 +90,9 @@ Eigen::VectorXd node_costs(const Stage& stage) {
   return costs;
 }
 
-// Distances only shrink as nodes are chosen, and scores with them: a score that was computed
-// earlier is looked at again only when it comes to the top.
 std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3Xd& g,
                                 const Eigen::VectorXd& costs, int count) {
-  struct Candidate {
-    double cost, distance;
-    int vertex;
-    std::size_t seen = 0;  // of the chosen ones
-    double score() const { return cost * distance; }
-    bool operator<(const Candidate& o) const {
-      return std::pair(score(), -vertex) < std::pair(o.score(), -o.vertex);
-    }
-  };
-  std::priority_queue<Candidate> candidates;
-  for (int i = 0; i < vertices.v.cols(); ++i) {
-    double cost = 0;
-    for (Eigen::Index a = 0; a < vertices.nodes.rows(); ++a) {
-      if (vertices.weights(a, i) > 0) cost += costs[vertices.nodes(a, i)];
-    }
-    const double distance = (vertices.v.col(i) - g.col(vertices.nodes(0, i))).norm();
-    if (cost * distance > 0) candidates.push({cost, distance, i});
-  }
+  auto candidates = candidates_of(vertices, g, costs);
   std::vector<int> worst;
   while (static_cast<int>(worst.size()) < count && !candidates.empty()) {
     Candidate top = candidates.top();
