@@ -74,6 +74,7 @@ TEST_F(AnimateFrames, DrawsAContactSheet) {
 TEST_F(AnimateFrames, MeasuresFrameByFrame) {
   expect_success(words({"--metrics", "m.json"}));
   const auto m = nlohmann::json::parse(get("m.json"));
+  EXPECT_EQ(m.at("solver"), "gauss_newton");
   EXPECT_EQ(m.at("frames"), 5);
   EXPECT_EQ(m.at("solves"), 5);
   EXPECT_EQ(m.at("nodes"), 20);
