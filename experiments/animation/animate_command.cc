@@ -124,6 +124,19 @@ void check_files(const AnimateFlags& flags, const Frames& frames, const FramePat
   check_apart(frames.pattern(), out, frames.range());
 }
 
+// Of all that the frames depend on, which are checked on the way.
+std::string fingerprint(const AnimateFlags& flags, const AnimateOptions& options,
+                        const HandleMotion& motion, const Frames& frames) {
+  Fingerprint fingerprint;
+  for (const std::string& text :
+       {flags.frames, flags.out, motion.description(), to_yaml(to_node(options.deformation)),
+        environment().at("commit")}) {
+    fingerprint.add(text);
+  }
+  frames.check(fingerprint);
+  return fingerprint.text();
+}
+
 int animate_frames(const AnimateFlags& flags, const AnimateOptions& options) {
   if (options.path) throw InputError("'path' is the id of a particle; meshes have none");
   const Script script = read_script_file(flags.edit);
@@ -136,14 +149,7 @@ int animate_frames(const AnimateFlags& flags, const AnimateOptions& options) {
   const Shape pose = frames.read(script.pose.value_or(frames.range().first));
   AnimatedDeformation deformer(pose, options.deformation);
   deformer.compile(motion.handles());
-  Fingerprint fingerprint;
-  for (const std::string& text :
-       {flags.frames, flags.out, motion.description(), to_yaml(to_node(options.deformation)),
-        environment().at("commit")}) {
-    fingerprint.add(text);
-  }
-  frames.check(fingerprint);
-  ResumeFile resume(out, fingerprint.text());
+  ResumeFile resume(out, fingerprint(flags, options, motion, frames));
   if (resume.outdated()) {
     LOG(WARNING) << "a run was stopped before, but its frames or its edit were others: starting "
                     "over";

@@ -91,9 +91,10 @@ class Rows {
   Eigen::Matrix3Xd kept_;
 };
 
-// Edits frame by frame, and shows each that is done. Returns whether all were solved.
+// Told of each frame that is done.
 using Done = std::function<void(int frame, ParticleFrame, const Eigen::Matrix3Xd& edited)>;
 
+// Edits frame by frame. Returns whether all were solved.
 bool edit_frames(const ParticleCache& cache, StreamEditor& editor, const Done& done) {
   std::set<std::string> told;
   bool good = true;
