@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kBranches = 4;
 constexpr std::size_t kLeastWork = 200000;  // entries; less takes no longer than sharing it out
-constexpr std::size_t kShare = 16;          // no subtree is more than this part of the whole
+constexpr std::size_t kShare = 8;           // no subtree is more than this part of the whole
 
 using Range = FactorBranches::Range;
 
