@@ -158,8 +158,9 @@ int AdaptiveDeformation::next_count(int m) const {
 // False where nothing is left to add, or no reason to.
 bool AdaptiveDeformation::refine() {
   const int m = static_cast<int>(embedded_->graph().g.cols());
+  if (m >= options_.graph.nodes) return false;
   const Eigen::VectorXd costs = node_costs(embedded_->stage());
-  if (m >= options_.graph.nodes || !(costs.sum() > kNothing)) return false;
+  if (!(costs.sum() > kNothing)) return false;
   const std::vector<int> added =
       worst_vertices(embedded_->embedding(), embedded_->graph().g, costs, next_count(m) - m);
   if (added.empty()) return false;

@@ -90,11 +90,11 @@ void place(const DeformationGraph& graph, const std::vector<char>& held, Unknown
 
 }  // namespace
 
-Eigen::Quaterniond nearest_rotation(const Eigen::Matrix3d& R) {
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d U = svd.matrixU();
   if ((U * svd.matrixV().transpose()).determinant() < 0) U.col(2) = -U.col(2);
-  return Eigen::Quaterniond(Eigen::Matrix3d(U * svd.matrixV().transpose()));
+  return U * svd.matrixV().transpose();
 }
 
 bool turn_back(const DeformationGraph& graph, const Embedding& handles,
@@ -115,7 +115,7 @@ bool turn_back(const DeformationGraph& graph, const Embedding& handles,
       const Eigen::Vector3d n = normal(graph, around[j], j);
       own -= 2 * own * n * n.transpose();
     }
-    q.col(j) = nearest_rotation(own).coeffs();
+    q.col(j) = Eigen::Quaterniond(nearest_rotation(own)).coeffs();
   }
   align(around, q);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {

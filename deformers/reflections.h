@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "energies/unknowns.h"
 #include "geometry/deformation_graph.h"
@@ -8,7 +8,7 @@
 namespace deformlab {
 
 /// The rotation that is nearest to R.
-Eigen::Quaterniond nearest_rotation(const Eigen::Matrix3d& R);
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R);
 
 /// Where nodes are inside out (det R_j < 0), a better place to solve on from: E_rot is content with
 /// a reflection, and a flat patch of handles is too, so no step leads away from it. Those nodes are

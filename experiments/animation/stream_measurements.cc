@@ -1,23 +1,16 @@
 #include "experiments/animation/stream_measurements.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "deformers/reflections.h"
 
 namespace deformlab {
 namespace {
 
 constexpr double kAlike = 1e-12;  // variance of speeds, over their mean's square, that is rounding
-
-Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d sign(1, 1,
-                       (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1);
-  return svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
-}
 
 }  // namespace
 

@@ -61,7 +61,7 @@ void time_transfer(const EmbeddedDeformation& deformation, const Shape& rest, in
                    Scale& scale) {
   const DeformationGraph& graph = deformation.graph();
   const Transformations X = deformation.transformations();
-  const Embedding e = embed(rest.V, graph.g, GraphOptions{}.neighbors);
+  const Embedding& e = deformation.embedding();
   Eigen::Matrix3Xd V(3, rest.V.cols()), N(3, rest.V.cols());
   scale.positions_ms = median_ms(repetitions, [&] { transfer_positions(X, graph.g, e, V); });
   scale.normals_ms = median_ms(repetitions, [&] { transfer_normals(X, rest.N, e, N); });
