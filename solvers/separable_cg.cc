@@ -11,7 +11,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kForcing = 0.1;  // η: the share of ‖r‖_{M⁻¹} that an inexact step leaves
+constexpr double kForcing = 0.02;     // an iteration that gains less than this share of all is last
 constexpr int kMostIterations = 200;  // of one step
 constexpr int kProbes = 8;            // iterations that show the condition
 constexpr double kRidge = 1e-10;      // relative, where Ã is singular
@@ -99,8 +99,11 @@ bool SeparableCg::solve(const Eigen::VectorXd& gradient, double damping, Eigen::
   return delta.allFinite();
 }
 
-// Conjugate gradients on H δ = r. False where H turns out not to be positive definite, or M is
-// none. As z is M⁻¹ r, M times a direction p = z + β p comes from r by the same recurrence.
+// Conjugate gradients on H δ = r until an iteration lowers the model by no more than `forcing` of
+// what all have: what is left is then about as little, and M need not be asked how much. Where r
+// has grown since the start, matters are not as they seem, and it goes on. False where H turns
+// out not to be positive definite, or M is none. As z is M⁻¹ r, M times a direction p = z + β p
+// comes from r by the same recurrence.
 bool SeparableCg::iterate(double damping, double forcing, int most) {
   delta_.setZero();
   measured_ = 0;
@@ -108,29 +111,32 @@ bool SeparableCg::iterate(double damping, double forcing, int most) {
   L_.solve(r_, z_, workers_);
   p_ = z_;
   Mp_ = r_;
-  double rho = dot(r_, z_);
-  const double enough = forcing * forcing * rho;
+  const double first = dot(r_, z_);
+  double rho = first, gained = 0;
   double share = 0;  // β / α of the last iteration
   int i = 0;
-  for (; i < most && rho > enough; ++i) {
+  bool enough = !(rho > 0);
+  while (i < most && !enough) {
     multiply(damping);
     const double curvature = dot(p_, Hp_);
     if (!(curvature > 0)) return false;
     const double alpha = rho / curvature;
     add_scaled(alpha, p_, delta_);
+    gained += alpha * rho;
+    enough = i++ > 0 && alpha * rho <= forcing * gained && rho <= first;
+    if (measured_ < kMostMeasured) diagonal_[measured_++] = 1 / alpha + share;
+    if (enough) break;
     add_scaled(-alpha, Hp_, r_);
     L_.solve(r_, z_, workers_);
     const double before = std::exchange(rho, dot(r_, z_)), beta = rho / before;
+    enough = !(rho > 0);
     add_to_scaled(z_, beta, p_);
     add_to_scaled(r_, beta, Mp_);
-    if (measured_ < kMostMeasured) {
-      diagonal_[measured_] = 1 / alpha + share;
-      beside_[measured_++] = std::sqrt(beta) / alpha;
-      share = beta / alpha;
-    }
+    if (measured_ < kMostMeasured) beside_[measured_ - 1] = std::sqrt(beta) / alpha;
+    share = beta / alpha;
   }
   work.cg_iterations += i;
-  work.unfinished += rho > enough;
+  work.unfinished += !enough;
   return true;
 }
 
