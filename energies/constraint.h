@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 
 #include "energies/term.h"
 
@@ -16,16 +15,16 @@ struct Constraint {
   static constexpr bool kZeroAtRest = true;
 
   using Point = Vector<double, d>;
-  Point v, q;                           ///< at rest, and the target [length]
-  std::array<double, kMaxNeighbors> w;  ///< w_j(v)
-  std::array<Point, kMaxNeighbors> g;   ///< g_j [length]
-  int index;                            ///< l: the column of its target
+  Point v, q;                                 ///< at rest, and the target [length]
+  Vector<double, kMaxNeighbors> w;            ///< w_j(v)
+  Eigen::Matrix<double, d, kMaxNeighbors> g;  ///< g_j [length]
+  int index;                                  ///< l: the column of its target
 
   template <class T>
   Vector<T, d> operator()(std::span<const Affine<T, d>> nodes) const {
     Vector<T, d> r = -q.template cast<T>();
     for (std::size_t j = 0; j < nodes.size(); ++j) {
-      r += w[j] * (nodes[j].R * (v - g[j]) + g[j] + nodes[j].t);
+      r += w[j] * (nodes[j].R * (v - g.col(j)) + g.col(j) + nodes[j].t);
     }
     return r;
   }
@@ -33,9 +32,12 @@ struct Constraint {
   /// a of ∂r/∂X = aᵀ ⊗ I_d: w_j (v − g_j, 1) for each of so many nodes.
   auto coefficients(int nodes) const {
     Eigen::Matrix<double, d + 1, Eigen::Dynamic, 0, d + 1, kMaxNeighbors> a(d + 1, nodes);
-    for (int j = 0; j < nodes; ++j) a.col(j) = w[j] * (v - g[j]).homogeneous();
+    for (int j = 0; j < nodes; ++j) a.col(j) = w[j] * (v - g.col(j)).homogeneous();
     return a;
   }
+
+  /// And b of r = X a − b.
+  Point offset(int nodes) const { return q - g.leftCols(nodes) * w.head(nodes); }
 
   void aim(const Eigen::MatrixXd& targets) { q = targets.col(index); }
 
@@ -47,10 +49,8 @@ struct Constraint {
       const auto nodes = handles.nodes.col(l);
       const Point v = handles.v.col(l).template head<d>();
       Constraint c{v, v, {}, {}, l};
-      for (int j = 0; j < sum.arity; ++j) {
-        c.w[j] = handles.weights(j, l);
-        c.g[j] = graph.g.col(nodes[j]).template head<d>();
-      }
+      c.w.head(sum.arity) = handles.weights.col(l);
+      c.g.leftCols(sum.arity) = graph.g(Eigen::all, nodes).template topRows<d>();
       sum.add(c, std::span(nodes.data(), nodes.size()));
     }
     return sum;

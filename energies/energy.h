@@ -52,6 +52,8 @@ class Energy {
   virtual void jacobians(const Unknowns& x, double* J) const = 0;
   /// Of a separable term: a of every element, one column each, jacobian_columns() / d × size().
   virtual void coefficients(double* a) const = 0;
+  /// And b, d × size(), which is another after `aim`.
+  virtual void offsets(double* b) const = 0;
   /// What every element adds to the normal equations: JᵀJ, side by side, each square of
   /// jacobian_columns(), and Jᵀr, jacobian_columns() × size().
   virtual void normal_equations(const Unknowns& x, double* JtJ, double* Jtr) const = 0;

@@ -30,6 +30,9 @@ struct Regularization {
     return a;
   }
 
+  /// And b of r = X a − b.
+  Vector<double, d> offset(int) const { return g_jk; }
+
   /// Both directions of every edge, each weighted by α_jk.
   static Terms<Regularization> over(const DeformationGraph& graph) {
     Terms<Regularization> sum{.arity = 2};

@@ -36,6 +36,7 @@ struct Affine {
 ///   kZeroAtRest, kRigidlyInvariant   laws that hold for it, and are then tested
 ///   jacobian      in place of automatic differentiation, which it is tested against
 ///   coefficients  the same of a separable term: a of J = aᵀ ⊗ I_d, given the number of nodes
+///   offset        and b of r = X a − b, where it brings coefficients
 ///   aim           takes the handles' targets
 template <class Term>
 struct Terms {

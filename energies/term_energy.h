@@ -110,6 +110,20 @@ class TermEnergy final : public Energy {
     }
   }
 
+  void offsets(double* b) const override {  // −r where all is zero
+    const std::array<double, kDimension * kMaxColumns> zero{};
+    std::array<const double*, Sig<double>::kArity> x;
+    x.fill(zero.data());
+    for (int e = 0; e < size(); ++e, b += kRows) {
+      Eigen::Map<Residual> own(b);
+      if constexpr (requires { &Term::offset; }) {
+        own = sum_.weights[e] * sum_.elements[e].offset(arity());
+      } else {
+        own = -sum_.weights[e] * Sig<double>::apply(sum_.elements[e], x.data(), arity());
+      }
+    }
+  }
+
   void normal_equations(const Unknowns& x, double* JtJ, double* Jtr) const override {
     Jacobian J(kRows, jacobian_columns());
     Residual r;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -284,6 +285,7 @@ void GaussNewton::start(Stage& stage) {
   conjugate_ = false;
   bends_ = true;
   trial_.X = stage.x.X;  // brings the fixed nodes along
+  steps_->linearization().aim();
   cost_ = summary_.initial_cost = steps_->linearization().evaluate(stage.x);
   if (std::isfinite(cost_)) steps_->linearization().linearize(stage.x);
 }
@@ -291,9 +293,9 @@ void GaussNewton::start(Stage& stage) {
 Summary GaussNewton::finish(const Stage& stage, Status status, std::string message) {
   summary_.status = status;
   summary_.message = std::move(message);
-  summary_.final_cost = steps_->linearization().evaluate(stage.x);
+  const std::vector<double> costs = steps_->linearization().cost_by_term(stage.x);
+  summary_.final_cost = std::accumulate(costs.begin(), costs.end(), 0.0);
   if (!summary_.iterations.empty()) summary_.iterations.back().cost = summary_.final_cost;
-  const std::vector<double> costs = steps_->linearization().cost_by_term();
   for (std::size_t i = 0; i < costs.size(); ++i) {
     summary_.cost_by_term[std::string(stage.terms[i].energy->name())] = costs[i];
   }

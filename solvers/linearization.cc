@@ -45,6 +45,7 @@ Linearization::Linearization(const Stage& stage) : dimension_(stage.x.dimension(
     for (int c = x.first[j]; c < x.first[j + 1] && !stage.fixed[j]; ++c) rank_[c] = free++;
   }
   for (Columns4* block : {&G_, &delta_, &Adelta_}) *block = Columns4::Zero(4, free);
+  for (Columns4* block : {&X_, &all_G_}) *block = Columns4::Zero(4, x.X.cols());
   Jtr_ = Eigen::VectorXd::Zero(dimension_ * free);
   place_.resize(rank_.size() * dimension_);
   number();
@@ -56,6 +57,15 @@ Linearization::Linearization(const Stage& stage) : dimension_(stage.x.dimension(
   blocks_ = std::make_unique<NodeBlocks>(x, energies);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (parts_[i].separable()) blocks_->add_separable(i, parts_[i].weight, parts_[i].J);
+  }
+  aim();
+}
+
+void Linearization::aim() {
+  for (Part& part : parts_) {
+    if (!part.separable()) continue;
+    part.energy->offsets(part.r.data());
+    part.b.topRows(part.r.rows()) = part.r;
   }
 }
 
@@ -102,6 +112,7 @@ void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
   local_.resize(std::max<std::size_t>(local_.size(), width));
   if (part.separable()) {
     part.J.resize(columns_read(energy), energy.size());
+    part.b = Columns4::Zero(4, energy.size());
     energy.coefficients(part.J.data());
   } else if (part.square()) {
     part.JtJ.resize(width, all);
@@ -137,46 +148,41 @@ SparseMatrix Linearization::nearest_separable() const {
 }
 
 double Linearization::evaluate(const Unknowns& x) {
-  double others = 0;
+  X_.topRows(dimension_) = x.X;
+  all_G_.setZero();
   separable_ = 0;
   for (Part& part : parts_) {
-    part.energy->residuals(x, part.r.data());
-    (part.separable() ? separable_ : others) += part.weight * squared_sum(part.r, part.loss.get());
+    if (!part.separable()) continue;
+    separable_ += part.weight * energy(part.as_separable(), X_, part.weight, all_G_);
   }
-  return exact_ = separable_ + others;
+  for (std::size_t c = 0; c < rank_.size(); ++c) {
+    if (rank_[c] >= 0) G_.col(rank_[c]) = all_G_.col(c);
+  }
+  return exact_ = separable_ + evaluate_others(x);
 }
 
-std::vector<double> Linearization::cost_by_term() const {
+double Linearization::evaluate_others(const Unknowns& x) {
+  double sum = 0;
+  for (Part& part : parts_) {
+    if (part.separable()) continue;
+    part.energy->residuals(x, part.r.data());
+    sum += part.weight * squared_sum(part.r, part.loss.get());
+  }
+  return sum;
+}
+
+std::vector<double> Linearization::cost_by_term(const Unknowns& x) {
+  X_.topRows(dimension_) = x.X;
   std::vector<double> result;
-  for (const Part& part : parts_)
-    result.push_back(part.weight * squared_sum(part.r, part.loss.get()));
+  for (Part& part : parts_) {
+    if (!part.separable()) part.energy->residuals(x, part.r.data());
+    result.push_back(part.weight * (part.separable() ? energy(part.as_separable(), X_)
+                                                     : squared_sum(part.r, part.loss.get())));
+  }
   return result;
 }
 
 void Linearization::linearize(const Unknowns& x) {
-  linearize_separable();
-  linearize_others(x);
-}
-
-void Linearization::linearize_separable() {
-  G_.setZero();
-  for (const Part& part : parts_) {
-    if (!part.separable()) continue;
-    const auto n = static_cast<int>(part.J.rows());
-    const int* column = part.column.data();
-    const double* a = part.J.data();
-    for (int e = 0; e < part.energy->size(); ++e, column += n, a += n) {
-      Eigen::Vector4d r = Eigen::Vector4d::Zero();
-      for (int i = 0; i < dimension_; ++i) r[i] = part.weight * part.r(i, e);
-      for (int c = 0; c < n; ++c) {
-        const int at = rank_[column[c]];
-        if (at >= 0) G_.col(at) += a[c] * r;
-      }
-    }
-  }
-}
-
-void Linearization::linearize_others(const Unknowns& x) {
   scatter(G_, Jtr_);
   for (Part& part : parts_) {
     if (part.separable()) continue;
@@ -245,12 +251,7 @@ void Linearization::set_direction(const Eigen::VectorXd& delta) {
 double Linearization::evaluate_step(const Unknowns& to, double scale) {
   scale_ = scale;
   share_ = std::max(0.0, separable_ + scale * (2 * slope_ + scale * curvature_));
-  others_ = 0;
-  for (Part& part : parts_) {
-    if (part.separable()) continue;
-    part.energy->residuals(to, part.r.data());
-    others_ += part.weight * squared_sum(part.r, part.loss.get());
-  }
+  others_ = evaluate_others(to);
   return share_ + others_;
 }
 
@@ -258,12 +259,11 @@ double Linearization::linearize_step(const Unknowns& to) {
   double cost = share_ + others_;
   if (cost < kRefresh * exact_) {
     cost = evaluate(to);
-    linearize_separable();
   } else {
     separable_ = share_;
     G_ += scale_ * Adelta_;
   }
-  linearize_others(to);
+  linearize(to);
   return cost;
 }
 

@@ -5,6 +5,7 @@
 
 #include "solvers/columns4.h"
 #include "solvers/node_blocks.h"
+#include "solvers/separable_term.h"
 #include "solvers/stage.h"
 
 namespace deformlab {
@@ -24,10 +25,12 @@ class Linearization {
   explicit Linearization(const Stage& stage);
   virtual ~Linearization() = default;
 
+  /// Takes over where the terms are drawn towards now (Energy::aim).
+  void aim();
   /// F at x; its residuals stay for `linearize`.
   double evaluate(const Unknowns& x);
-  /// w E of each term at the x that was last evaluated, in the stage's order.
-  std::vector<double> cost_by_term() const;
+  /// w E of each term at x, in the stage's order. Nothing stays for `linearize`.
+  std::vector<double> cost_by_term(const Unknowns& x);
   /// J and Jᵀr at the x that was last evaluated.
   void linearize(const Unknowns& x);
 
@@ -67,8 +70,9 @@ class Linearization {
     const Energy* energy = nullptr;
     double weight = 1;
     std::shared_ptr<const ceres::LossFunction> loss = nullptr;
-    Eigen::MatrixXd r{};    ///< rows × elements
+    Eigen::MatrixXd r{};    ///< rows × elements, unless separable
     Eigen::MatrixXd J{};    ///< separable: coefficients a, one column an element; else Jacobians
+    Columns4 b{};           ///< separable: of the residuals X a − b
     Eigen::MatrixXd JtJ{};  ///< of all elements, side by side, in place of J: of a term of one node
     Eigen::MatrixXd Jtr{};  ///< of every element, unless separable
     Eigen::MatrixXd bent{};  ///< the same of `bend`, of nonlinear terms
@@ -76,6 +80,7 @@ class Linearization {
     std::vector<int> column{};  ///< columns of X that an element reads, arguments in turn
     Structure structure() const { return loss ? Structure::kNonlinear : energy->structure(); }
     bool separable() const { return structure() == Structure::kSeparable; }
+    SeparableTerm as_separable() const { return {J, b, column.data()}; }
     bool square() const { return !loss && !separable() && energy->arity() == 1; }
   };
   const std::vector<Part>& parts() const { return parts_; }
@@ -98,8 +103,7 @@ class Linearization {
  private:
   void number();
   void add_part(const Stage& stage, const WeightedEnergy& term);
-  void linearize_separable();
-  void linearize_others(const Unknowns& x);
+  double evaluate_others(const Unknowns& x);
   void add(const Part& part, const Eigen::MatrixXd& Jtr, Eigen::VectorXd& sum) const;
 
   int dimension_ = 0;
@@ -107,7 +111,8 @@ class Linearization {
   std::vector<Part> parts_;
   std::unique_ptr<NodeBlocks> blocks_;
   SparseMatrix A_;
-  Columns4 G_;  // Jᵀr of the separable terms, free columns in the order of their ranks
+  Columns4 X_, all_G_;  // X, and Jᵀr of the separable terms over all columns
+  Columns4 G_;          // the free ones in the order of their ranks
   Columns4 delta_, Adelta_;
   std::vector<double> local_;                         // an element's share of a direction
   double separable_ = 0, slope_ = 0, curvature_ = 0;  // their share of F, and how it changes

@@ -162,6 +162,25 @@ inline bool is_separable(const Energy& energy, const Eigen::MatrixXd& J) {
   return true;
 }
 
+/// r = X a − b by what a separable term says of a and b.
+inline AssertionResult has_its_coefficients(const Energy& energy, const Unknowns& x) {
+  const int d = energy.dimension();
+  Eigen::MatrixXd a(energy.jacobian_columns() / d, energy.size()), b(d, energy.size());
+  energy.coefficients(a.data());
+  energy.offsets(b.data());
+  Eigen::MatrixXd r = -b;
+  for (int e = 0; e < energy.size(); ++e) {
+    int c = 0;
+    for (int i = 0; i < energy.arity(); ++i) {
+      for (int k = 0; k < energy.argument(i).count; ++k) {
+        r.col(e) += a(c++, e) * x.X.col(x.first[energy.nodes(e)[i]] + k);
+      }
+    }
+  }
+  if (relative_difference(r.reshaped(), residuals(energy, x)) <= 1e-12) return AssertionSuccess();
+  return AssertionFailure() << "r is not X a − b";
+}
+
 /// The declared structure holds between two states, and is not weaker than it could be.
 inline AssertionResult has_declared_structure(const Energy& energy, const Unknowns& x,
                                               const Unknowns& y) {
@@ -178,7 +197,9 @@ inline AssertionResult has_declared_structure(const Energy& energy, const Unknow
     return AssertionFailure() << "r is not affine in X";
   }
   const bool separable = is_separable(energy, J);
-  if (separable == (energy.structure() == Structure::kSeparable)) return AssertionSuccess();
+  if (separable == (energy.structure() == Structure::kSeparable)) {
+    return separable ? has_its_coefficients(energy, y) : AssertionSuccess();
+  }
   return AssertionFailure() << (separable ? "separable, but declared linear" : "not separable");
 }
 

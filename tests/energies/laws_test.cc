@@ -53,6 +53,18 @@ struct WrongJacobian {
   }
 };
 
+template <int sign>
+struct WithOffset {
+  static constexpr std::string_view kName = "with_offset";
+  static constexpr Structure kStructure = Structure::kSeparable;
+  template <class T>
+  Vector<T, 3> operator()(const Vector<T, 3>& v) const {
+    return v - Vector<T, 3>(T(1), T(2), T(3));
+  }
+  Eigen::Matrix<double, 1, 1> coefficients(int) const { return Eigen::Matrix<double, 1, 1>(1.0); }
+  Eigen::Vector3d offset(int) const { return {sign * 1, sign * 2, sign * 3}; }
+};
+
 struct ForgetsARow {
   static constexpr std::string_view kName = "forgets_a_row";
   static constexpr Structure kStructure = Structure::kSeparable;
@@ -100,6 +112,11 @@ TEST(LawsBite, OnAWrongDerivative) {
   const Unknowns x = states(problem())[1];
   EXPECT_FALSE(derivatives_agree(at_every_node<WrongJacobian>(problem()), x));
   EXPECT_TRUE(derivatives_agree(at_every_node<Right>(problem()), x));
+}
+
+TEST(LawsBite, OnAWrongOffset) {
+  EXPECT_TRUE(structure_of<WithOffset<1>>(problem()));
+  EXPECT_FALSE(structure_of<WithOffset<-1>>(problem()));
 }
 
 TEST(LawsBite, OnATermThatIsNotZeroAtRest) {
