@@ -36,7 +36,8 @@ int columns_read(const Energy& energy) { return energy.jacobian_columns() / ener
 
 }  // namespace
 
-Linearization::Linearization(const Stage& stage) : dimension_(stage.x.dimension()) {
+Linearization::Linearization(const Stage& stage)
+    : dimension_(stage.x.dimension()), first_(stage.x.first) {
   check(stage);
   const Unknowns& x = stage.x;
   int free = 0;
@@ -49,16 +50,21 @@ Linearization::Linearization(const Stage& stage) : dimension_(stage.x.dimension(
   Jtr_ = Eigen::VectorXd::Zero(dimension_ * free);
   place_.resize(rank_.size() * dimension_);
   number();
-  std::vector<const Energy*> energies;
-  for (const WeightedEnergy& term : stage.terms) {
-    add_part(stage, term);
-    energies.push_back(term.energy.get());
-  }
-  blocks_ = std::make_unique<NodeBlocks>(x, energies);
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (parts_[i].separable()) blocks_->add_separable(i, parts_[i].weight, parts_[i].J);
-  }
+  for (const WeightedEnergy& term : stage.terms) add_part(stage, term);
+  sum_separable();
   aim();
+}
+
+void Linearization::sum_separable() {
+  std::vector<const Part*> parts;
+  std::vector<const Energy*> energies;
+  for (const Part& part : parts_) {
+    if (part.separable()) parts.push_back(&part), energies.push_back(part.energy);
+  }
+  blocks_ = std::make_unique<NodeBlocks>(first_, energies);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    blocks_->add_separable(i, parts[i]->weight, parts[i]->J);
+  }
 }
 
 void Linearization::aim() {
@@ -87,22 +93,23 @@ void Linearization::order_columns() {
   number();
 }
 
-void Linearization::assemble() { A_ = blocks_->lower(rank_, free_columns()); }
+void Linearization::assemble() {
+  A_ = blocks_->lower(rank_, free_columns());
+  blocks_.reset();
+}
 
 void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
   const Energy& energy = *term.energy;
   const Unknowns& x = stage.x;
   Part part{.energy = &energy, .weight = term.weight, .loss = term.loss};
   if (part.loss) part.root.setOnes(energy.size());
-  part.column.resize(std::size_t(energy.size()) * columns_read(energy));
-  const std::span<const int> nodes = energy.nodes();
-  const int arity = energy.arity();
-  for (int a = 0, offset = 0; a < arity; offset += energy.argument(a++).count) {
-    const int count = energy.argument(a).count;
-    int* column = part.column.data() + offset;
-    for (std::size_t i = a; i < nodes.size(); i += arity, column += columns_read(energy)) {
-      for (int c = 0; c < count; ++c) column[c] = x.first[nodes[i]] + c;
-    }
+  std::vector<int> counts;
+  for (int a = 0; a < energy.arity(); ++a) counts.push_back(energy.argument(a).count);
+  part.column.reserve(std::size_t(energy.size()) * columns_read(energy));
+  std::size_t a = 0;
+  for (const int j : energy.nodes()) {
+    for (int c = 0; c < counts[a]; ++c) part.column.push_back(x.first[j] + c);
+    a = a + 1 < counts.size() ? a + 1 : 0;
   }
   const int width = energy.jacobian_columns();
   const std::ptrdiff_t all = std::ptrdiff_t(width) * energy.size();
@@ -124,17 +131,22 @@ void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
   parts_.push_back(std::move(part));
 }
 
-SparseMatrix Linearization::nearest_separable() const {
-  NodeBlocks blocks = *blocks_;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Part& part = parts_[i];
+SparseMatrix Linearization::nearest_of_others() const {
+  std::vector<const Part*> parts;
+  std::vector<const Energy*> energies;
+  for (const Part& part : parts_) {
+    if (!part.separable()) parts.push_back(&part), energies.push_back(part.energy);
+  }
+  NodeBlocks blocks(first_, energies);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = *parts[i];
     if (part.square()) {
       blocks.add_mean_diagonals(i, part.weight, part.JtJ);
-    } else if (part.loss && part.energy->structure() == Structure::kSeparable) {
+    } else if (part.energy->structure() == Structure::kSeparable) {  // but for its loss
       Eigen::MatrixXd a(columns_read(*part.energy), part.energy->size());
       part.energy->coefficients(a.data());
       blocks.add_separable(i, part.weight, a * part.root.asDiagonal());
-    } else if (!part.separable()) {
+    } else {
       const int width = part.energy->jacobian_columns();
       Eigen::MatrixXd JtJ(width, part.J.cols());
       for (Eigen::Index c = 0; c < part.J.cols(); c += width) {

@@ -59,7 +59,8 @@ class Linearization {
 
   /// Ranks the free columns in a fill-reducing order of A. Before, they are as they come.
   void order_columns();
-  /// Makes A, which has to be there before anything is evaluated along a direction.
+  /// Makes A, which has to be there before anything is evaluated along a direction. The last to be
+  /// called of the two.
   void assemble();
 
   /// to = from + scale · δ on the free entries.
@@ -87,9 +88,9 @@ class Linearization {
 
   /// The separable terms' JᵀJ is A ⊗ I_d: the lower triangle of A, over the free columns.
   const SparseMatrix& A() const { return A_; }
-  /// Ã, the nearest such matrix to all terms' JᵀJ in the Frobenius norm where it was linearized
-  /// last: of what is not separable each d×d block counts by its mean diagonal.
-  SparseMatrix nearest_separable() const;
+  /// C of the nearest such matrix, in the Frobenius norm, to what the other terms add to JᵀJ where
+  /// it was linearized last: each d×d block counts by its mean diagonal. Has all of its diagonal.
+  SparseMatrix nearest_of_others() const;
 
   void gather(const Eigen::VectorXd& x, Columns4& block) const;
   void scatter(const Columns4& block, Eigen::VectorXd& x) const;
@@ -103,10 +104,12 @@ class Linearization {
  private:
   void number();
   void add_part(const Stage& stage, const WeightedEnergy& term);
+  void sum_separable();
   double evaluate_others(const Unknowns& x);
   void add(const Part& part, const Eigen::MatrixXd& Jtr, Eigen::VectorXd& sum) const;
 
   int dimension_ = 0;
+  std::vector<int> first_;  // column of each node
   std::vector<int> rank_;
   std::vector<Part> parts_;
   std::unique_ptr<NodeBlocks> blocks_;

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "geometry/clones.h"
+#include "geometry/four.h"
+
 namespace deformlab {
 namespace {
 
@@ -31,13 +34,31 @@ std::vector<int> numbers(std::size_t count) {
   return result;
 }
 
+// The lower triangle of w Σ a aᵀ over some elements of n coefficients each. What else a vector of
+// four holds comes along.
+DEFORMLAB_CLONES
+void add_squares(const double* a, std::ptrdiff_t n, const int* elements, int count, double weight,
+                 double* local) {
+  for (int i = 0; i < count; ++i) {
+    const double* own = a + n * elements[i];
+    for (std::ptrdiff_t q = 0; q < n; ++q) {
+      const double scaled = weight * own[q];
+      if (scaled == 0) continue;
+      std::ptrdiff_t p = q - q % 4;
+      for (; p + 4 <= n; p += 4) four(local + q * n + p) += scaled * four(own + p);
+      for (; p < n; ++p) local[q * n + p] += scaled * own[p];
+    }
+  }
+}
+
 }  // namespace
 
-NodeBlocks::NodeBlocks(const Unknowns& x, const std::vector<const Energy*>& energies)
-    : first_(x.first) {
+NodeBlocks::NodeBlocks(const std::vector<int>& first, const std::vector<const Energy*>& energies)
+    : first_(first) {
   for (const Energy* energy : energies) {
     Groups groups = group(*energy);
     groups.first_pair = pairs_.size();
+    for (int a = 0; a < energy->arity(); ++a) groups.columns.push_back(energy->argument(a).count);
     for (std::size_t g = 0; g + 1 < groups.begin.size(); ++g) {
       const auto nodes = energy->nodes(groups.elements[groups.begin[g]]);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
@@ -48,14 +69,14 @@ NodeBlocks::NodeBlocks(const Unknowns& x, const std::vector<const Energy*>& ener
     }
     groups_.push_back(std::move(groups));
   }
-  for (int j = 0; j < x.nodes(); ++j) pairs_.emplace_back(j, j);
+  for (int j = 0; j + 1 < static_cast<int>(first.size()); ++j) pairs_.emplace_back(j, j);
   find_blocks();
 }
 
 // By a table of hashes with open addressing.
 NodeBlocks::Groups NodeBlocks::group(const Energy& energy) {
   const int count = energy.size();
-  if (energy.arity() <= kFewNodes) return {&energy, numbers(count), numbers(count + 1), 0};
+  if (energy.arity() <= kFewNodes) return {&energy, {}, numbers(count), numbers(count + 1), 0};
   std::size_t size = 16;
   while (size < 2 * static_cast<std::size_t>(count)) size *= 2;
   std::vector<int> table(size, -1), group_of(count), first;
@@ -75,9 +96,11 @@ NodeBlocks::Groups NodeBlocks::group(const Energy& energy) {
   for (const int g : group_of) ++begin[g + 1];
   for (std::size_t g = 0; g < first.size(); ++g) begin[g + 1] += begin[g];
   return {&energy,
+          {},
           counting_sort(numbers(count), static_cast<int>(first.size()),
                         [&](int e) { return group_of[e]; }),
-          std::move(begin), 0};
+          std::move(begin),
+          0};
 }
 
 void NodeBlocks::find_blocks() {
@@ -99,49 +122,40 @@ void NodeBlocks::find_blocks() {
   values_.assign(size, 0);
 }
 
-void NodeBlocks::add_block(int slot, bool transposed, const Eigen::MatrixXd& local, int row,
-                           int column, int rows, int columns) {
-  const int stride = first_[nodes_[slot].first + 1] - first_[nodes_[slot].first];
+void NodeBlocks::add_block(int slot, bool transposed, const double* local, std::ptrdiff_t stride,
+                           int rows, int columns) {
+  const int height = first_[nodes_[slot].first + 1] - first_[nodes_[slot].first];
   double* block = values_.data() + offset_[slot];
-  for (int q = 0; q < columns; ++q) {
-    const double* from = local.data() + (column + q) * local.rows() + row;
-    for (int p = 0; p < rows; ++p) block[transposed ? p * stride + q : q * stride + p] += from[p];
+  for (int q = 0; q < columns; ++q, local += stride) {
+    for (int p = 0; p < rows; ++p) block[transposed ? p * height + q : q * height + p] += local[p];
   }
 }
 
-// A symmetric matrix over the columns that the elements of a group read, arguments in turn; its
-// lower triangle is enough off the diagonal of the blocks.
+// The lower triangle of a symmetric matrix over the columns that the elements of a group read,
+// arguments in turn.
 void NodeBlocks::add(const Groups& groups, int group, const Eigen::MatrixXd& local) {
-  const Energy& energy = *groups.energy;
-  const int arity = energy.arity();
-  const auto nodes = energy.nodes(groups.elements[groups.begin[group]]);
+  const auto arity = static_cast<int>(groups.columns.size());
+  const auto nodes = groups.energy->nodes(groups.elements[groups.begin[group]]);
   const int* slot =
       slot_of_.data() + groups.first_pair + std::size_t(group) * arity * (arity + 1) / 2;
-  for (int a = 0, row = 0; a < arity; row += energy.argument(a++).count) {
-    const int rows = energy.argument(a).count;
-    for (int b = 0, column = 0; b <= a; column += energy.argument(b++).count, ++slot) {
-      const int columns = energy.argument(b).count;
-      add_block(*slot, nodes[a] < nodes[b], local, row, column, rows, columns);
+  for (int a = 0, row = 0; a < arity; row += groups.columns[a++]) {
+    for (int b = 0, column = 0; b <= a; column += groups.columns[b++], ++slot) {
+      const double* block = &local(row, column);
+      const int rows = groups.columns[a], columns = groups.columns[b];
+      add_block(*slot, nodes[a] < nodes[b], block, local.rows(), rows, columns);
       const bool twice = a != b && nodes[a] == nodes[b];  // an element that reads a node twice
-      if (twice) add_block(*slot, true, local, row, column, rows, columns);
+      if (twice) add_block(*slot, true, block, local.rows(), rows, columns);
     }
   }
 }
 
 void NodeBlocks::add_separable(std::size_t energy, double weight, const Eigen::MatrixXd& a) {
   const Groups& groups = groups_[energy];
-  const auto n = static_cast<int>(a.rows());
-  Eigen::MatrixXd local(n, n);
+  Eigen::MatrixXd local(a.rows(), a.rows());
   for (int g = 0; g + 1 < static_cast<int>(groups.begin.size()); ++g) {
     local.setZero();
-    for (int i = groups.begin[g]; i < groups.begin[g + 1]; ++i) {
-      const double* e = a.data() + std::size_t(groups.elements[i]) * n;
-      for (int q = 0; q < n; ++q) {
-        if (e[q] == 0) continue;
-        const double scaled = weight * e[q];
-        for (int p = 0; p < n; ++p) local(p, q) += scaled * e[p];
-      }
-    }
+    add_squares(a.data(), a.rows(), groups.elements.data() + groups.begin[g],
+                groups.begin[g + 1] - groups.begin[g], weight, local.data());
     add(groups, g, local);
   }
 }

@@ -14,8 +14,9 @@ namespace deformlab {
 /// the elements.
 class NodeBlocks {
  public:
-  /// Of a problem with the nodes of x. `energies` are all that may be added.
-  NodeBlocks(const Unknowns& x, const std::vector<const Energy*>& energies);
+  /// Of a problem whose nodes have the columns `first` (Unknowns::first). `energies` are all that
+  /// may be added, each by its place among them.
+  NodeBlocks(const std::vector<int>& first, const std::vector<const Energy*>& energies);
 
   /// Adds w Σ a aᵀ over the elements of a separable term.
   ///   a  coefficients as Energy has them.
@@ -47,6 +48,7 @@ class NodeBlocks {
   // The elements of an energy that read the same nodes, in the same order.
   struct Groups {
     const Energy* energy;
+    std::vector<int> columns;          // that each argument reads
     std::vector<int> elements, begin;  // group after group
     std::size_t first_pair;            // of the first group's pairs of arguments
   };
@@ -54,8 +56,8 @@ class NodeBlocks {
   static Groups group(const Energy& energy);
   void find_blocks();
   void add(const Groups& groups, int group, const Eigen::MatrixXd& local);
-  void add_block(int slot, bool transposed, const Eigen::MatrixXd& local, int row, int column,
-                 int rows, int columns);
+  void add_block(int slot, bool transposed, const double* local, std::ptrdiff_t stride, int rows,
+                 int columns);
 
   std::vector<int> first_;                  // column of each node
   std::vector<Groups> groups_;              // one an energy

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kForcing = 0.02;     // an iteration that gains less than this share of all is last
 constexpr int kMostIterations = 200;  // of one step
-constexpr int kProbes = 8;            // iterations that show the condition
+constexpr int kProbes = 4;            // iterations that show the condition
 constexpr double kRidge = 1e-10;      // relative, where Ã is singular
 
 }  // namespace
@@ -35,25 +35,27 @@ void SeparableCg::compile(const Stage& stage) {
 }
 
 void SeparableCg::factorize() {
-  SparseMatrix A = linearization_->nearest_separable();
+  const SparseMatrix& A = linearization_->A();
+  SparseMatrix C = linearization_->nearest_of_others();
+  SparseMatrix M = A + C;
   double largest = 0;
-  for (int c = 0; c < A.cols(); ++c)
-    largest = std::max(largest, A.valuePtr()[A.outerIndexPtr()[c]]);
+  for (int c = 0; c < M.cols(); ++c)
+    largest = std::max(largest, M.valuePtr()[M.outerIndexPtr()[c]]);
   double ridge = kRidge * (largest > 0 ? largest : 1);
-  factored_ = L_.factorize(A);
+  factored_ = L_.factorize(M);
   for (; !factored_ && ridge < 1e300; ridge *= 1000) {  // singular: some motion changes no term
-    for (int c = 0; c < A.cols(); ++c) A.valuePtr()[A.outerIndexPtr()[c]] += ridge;
-    factored_ = L_.factorize(A);
+    for (int c = 0; c < C.cols(); ++c) C.valuePtr()[C.outerIndexPtr()[c]] += ridge;
+    M = A + C;
+    factored_ = L_.factorize(M);
   }
-  remainder_ = linearization_->A() - A;
-  remainder_.prune([](int row, int col, double value) { return row == col || value != 0; });
+  minus_C_ = -C;
 }
 
 // H p = M p + (H − M) p. Of M p there is no need for a product, and what remains is sparser than A.
 void SeparableCg::multiply(double damping) {
   Hp_ = Mp_;
   if (damping > 0) Hp_ += damping * D_.cwiseProduct(p_);
-  add_product(remainder_, p_, Hp_);
+  add_product(minus_C_, p_, Hp_);
   squares_.add_product(p_, Hp_);
   for (const auto& part : linearization_->parts()) {
     if (!part.separable() && !part.square()) multiply_part(part);

@@ -20,7 +20,7 @@ class SeparableCg final : public StepSolver {
 
   void compile(const Stage& stage) override;
   Linearization& linearization() override { return *linearization_; }
-  /// Stops where the preconditioned residual has fallen to kForcing of its start.
+  /// Inexact: iterates until another iteration would gain little.
   bool direction(double damping, const Eigen::VectorXd& D, Eigen::VectorXd& delta) override;
   bool correction(const Eigen::VectorXd& q, Eigen::VectorXd& c) override { return solve(q, 0, c); }
   void diagonal(Eigen::VectorXd& D) const override;
@@ -40,10 +40,10 @@ class SeparableCg final : public StepSolver {
 
   Workers workers_;
   std::unique_ptr<Linearization> linearization_;
-  NodeSquares squares_;     // the terms that read one node each
-  ColumnCholesky L_;        // of Ã, which stands in M = Ã ⊗ I_d
-  bool factored_ = false;   // not where Ã is not finite
-  SparseMatrix remainder_;  // A − Ã, lower triangle
+  NodeSquares squares_;    // the terms that read one node each
+  ColumnCholesky L_;       // of Ã, which stands in M = Ã ⊗ I_d
+  bool factored_ = false;  // not where Ã is not finite
+  SparseMatrix minus_C_;   // A − Ã, lower triangle
   Columns4 r_, z_, p_, Mp_, Hp_, delta_, D_;
   // Of the last solve's first iterations: the diagonal and what is beside it of the tridiagonal
   // matrix that has about the eigenvalues of the preconditioned one.

@@ -128,7 +128,8 @@ TEST_P(Loss, IsInTheNearestSeparableMatrix) {
   Linearization linearization(stage);
   linearization.evaluate(x);
   linearization.linearize(x);
-  const Eigen::MatrixXd nearest = linearization.nearest_separable();
+  linearization.assemble();
+  const Eigen::MatrixXd nearest = linearization.A() + linearization.nearest_of_others();
   const Eigen::MatrixXd JtJ = reference(stage, x).JtJ();
   double largest = 0;
   for (Eigen::Index c = 0; c < nearest.cols(); ++c) {
