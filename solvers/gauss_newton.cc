@@ -127,6 +127,7 @@ bool GaussNewton::newton_direction(const Stage& stage, double given) {
 
 double GaussNewton::try_step(const Stage& stage, double scale) {
   Stopwatch watch(summary_.seconds["evaluate"]);
+  tried_ = scale;
   steps_->linearization().step(stage.x, delta_, scale, trial_);
   return steps_->linearization().evaluate_step(trial_, scale);
 }
@@ -206,6 +207,7 @@ bool GaussNewton::bend(const Stage& stage, Iteration& iteration) {
   }
   delta_ -= c_;
   steps_->linearization().set_direction(delta_);
+  tried_ = 0;
   return false;
 }
 
@@ -236,7 +238,7 @@ GaussNewton::Outcome GaussNewton::accelerated(Stage& stage, Iteration& iteration
     if (iteration.step_scale < kSmallestStep) return Outcome::kUphill;
     iteration.cost = try_step(stage, iteration.step_scale);
   }
-  try_step(stage, iteration.step_scale);
+  if (tried_ != iteration.step_scale) try_step(stage, iteration.step_scale);
   return Outcome::kAccepted;
 }
 

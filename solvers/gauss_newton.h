@@ -47,6 +47,7 @@ class GaussNewton final : public Solver {
   // Of `accelerated`: the direction by Gauss–Newton and the gradient it came from, then the last.
   Eigen::VectorXd newton_, gradient_, last_newton_, last_gradient_, last_delta_, q_, c_;
   Unknowns trial_;
+  double tried_ = 0;  // the length of the step to trial_
   double cost_ = 0, damping_ = 0, damping_growth_ = 2;
   bool conjugate_ = false, bends_ = true;
   Summary summary_;

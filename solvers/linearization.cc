@@ -13,6 +13,9 @@ namespace {
 // summed anew.
 constexpr double kRefresh = 1e-8;
 
+// Columns of zeros behind JᵀJ: the last block is read by fours.
+constexpr int kReadBeyond = 4;
+
 // Jᵀ r of every element.
 void multiply_transposed(const Linearization::Part& part, Eigen::MatrixXd& Jtr) {
   const Eigen::Index n = Jtr.rows();
@@ -122,7 +125,7 @@ void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
     part.b = Columns4::Zero(4, energy.size());
     energy.coefficients(part.J.data());
   } else if (part.square()) {
-    part.JtJ.resize(width, all);
+    part.JtJ.setZero(width, all + kReadBeyond);
     energy.normal_equations(x, part.JtJ.data(), part.Jtr.data());
   } else {
     part.J.resize(energy.rows(), all);

@@ -24,7 +24,7 @@ void SeparableCg::compile(const Stage& stage) {
   linearization_->order_columns();
   linearization_->assemble();
   factorize();
-  squares_.compile(stage, *linearization_);
+  squares_.compile(*linearization_);
   for (Columns4* block : {&r_, &z_, &p_, &Mp_, &Hp_, &delta_, &D_}) {
     *block = Columns4::Zero(4, linearization_->free_columns());
   }
@@ -56,7 +56,7 @@ void SeparableCg::multiply(double damping) {
   Hp_ = Mp_;
   if (damping > 0) Hp_ += damping * D_.cwiseProduct(p_);
   add_product(minus_C_, p_, Hp_);
-  squares_.add_product(p_, Hp_);
+  squares_.add_product(*linearization_, p_, Hp_);
   for (const auto& part : linearization_->parts()) {
     if (!part.separable() && !part.square()) multiply_part(part);
   }
@@ -88,7 +88,6 @@ void SeparableCg::multiply_part(const Linearization::Part& part) {
 
 bool SeparableCg::direction(double damping, const Eigen::VectorXd& D, Eigen::VectorXd& delta) {
   if (damping > 0) linearization_->gather(D, D_);
-  squares_.sum(*linearization_);
   return solve(linearization_->Jtr(), damping, delta);
 }
 
@@ -145,7 +144,6 @@ bool SeparableCg::iterate(double damping, double forcing, int most) {
 // From a right-hand side that favours no motion.
 void SeparableCg::probe() {
   if (linearization_->unknowns() == 0) return;
-  squares_.sum(*linearization_);
   std::mt19937_64 random(1);
   for (Eigen::Index i = 0; i < r_.size(); ++i) {
     const bool used = i % 4 < linearization_->dimension();
