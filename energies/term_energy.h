@@ -64,7 +64,7 @@ class TermEnergy final : public Energy {
     Eigen::Map<Residual> value(r);
     value = scale * Sig<double>::apply(sum_.elements[e], x, arity());
     if (J == nullptr) return;
-    Eigen::Map<Eigen::Matrix<double, kRows, Eigen::Dynamic>> jacobian(J, kRows, jacobian_columns());
+    Eigen::Map<Jacobian> jacobian(J, kRows, jacobian_columns());
     if constexpr (kCoefficients) {
       const auto a = sum_.elements[e].coefficients(arity());
       jacobian.setZero();
