@@ -12,7 +12,7 @@ namespace {
 // Eigen's simplicial LDLᵀ: no BLAS, no supernodes; the independent second opinion.
 class EigenLdlt final : public LinearSolver {
  public:
-  Eigen::VectorXi order(const SparseMatrix& lower, int) override {
+  Eigen::VectorXi order(const SparseMatrix& lower, int, bool) override {
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
     Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), permutation);
     return permutation.indices();

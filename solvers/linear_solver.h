@@ -15,8 +15,9 @@ class LinearSolver {
 
   /// A fill-reducing order: row and column order[i] of `lower` should come to place i.
   /// Entries may be zero, their places count. Every `group` consecutive rows have almost the same
-  /// neighbours and may be kept together.
-  virtual Eigen::VectorXi order(const SparseMatrix& lower, int group = 1) = 0;
+  /// neighbours and may be kept together. A quick order tries nested dissection only where minimum
+  /// degree fills much.
+  virtual Eigen::VectorXi order(const SparseMatrix& lower, int group = 1, bool quick = false) = 0;
   /// Symbolic factorization of a matrix that is already in a good order.
   virtual void analyze(const SparseMatrix& lower) = 0;
   /// Numeric factorization of a matrix of the structure that was analyzed. False where a pivot is

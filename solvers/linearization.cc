@@ -162,6 +162,16 @@ SparseMatrix Linearization::nearest_of_others() const {
   return blocks.lower(rank_, free_columns());
 }
 
+SparseMatrix Linearization::structure_where(const std::function<bool(const Part&)>& such) const {
+  std::vector<const Energy*> energies;
+  for (const Part& part : parts_) {
+    if (such(part)) energies.push_back(part.energy);
+  }
+  NodeBlocks blocks(first_, energies);
+  for (std::size_t i = 0; i < energies.size(); ++i) blocks.add_structure(i);
+  return blocks.lower(rank_, free_columns());
+}
+
 double Linearization::evaluate(const Unknowns& x) {
   X_.topRows(dimension_) = x.X;
   all_G_.setZero();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -85,6 +86,8 @@ class Linearization {
     bool square() const { return !loss && !separable() && energy->arity() == 1; }
   };
   const std::vector<Part>& parts() const { return parts_; }
+  /// Not zero, of two free columns, where an element of such parts reads both; lower triangle.
+  SparseMatrix structure_where(const std::function<bool(const Part&)>& such) const;
 
   /// The separable terms' JᵀJ is A ⊗ I_d: the lower triangle of A, over the free columns.
   const SparseMatrix& A() const { return A_; }

@@ -6,6 +6,7 @@
 
 #include "geometry/clones.h"
 #include "geometry/four.h"
+#include "solvers/sparse_entries.h"
 
 namespace deformlab {
 namespace {
@@ -178,34 +179,21 @@ void NodeBlocks::add_mean_diagonals(std::size_t energy, double weight, const Eig
   }
 }
 
+void NodeBlocks::add_structure(std::size_t energy) {
+  const Groups& groups = groups_[energy];
+  const int n = groups.energy->jacobian_columns() / groups.energy->dimension();
+  const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(n, n);
+  for (int g = 0; g + 1 < static_cast<int>(groups.begin.size()); ++g) add(groups, g, ones);
+}
+
 SparseMatrix NodeBlocks::lower(const std::vector<int>& rank, int n) const {
-  struct Entry {
-    int row, column;
-    double value;
-  };
-  std::vector<Entry> entries;
+  std::vector<SparseEntry> entries;
   entries.reserve(values_.size() / 2);
-  std::vector<int> below(n + 1, 0);
-  SparseMatrix result(n, n);
-  int* begin = result.outerIndexPtr();
   for_each([&](int p, int q, double value) {
     if (rank[p] < 0 || rank[q] < 0) return;
-    const int row = std::max(rank[p], rank[q]), column = std::min(rank[p], rank[q]);
-    entries.push_back({row, column, value});
-    ++below[row + 1];
-    ++begin[column + 1];
+    entries.push_back({std::max(rank[p], rank[q]), std::min(rank[p], rank[q]), value});
   });
-  for (int c = 0; c < n; ++c) below[c + 1] += below[c], begin[c + 1] += begin[c];
-  std::vector<int> by_row(entries.size());
-  for (int i = 0; i < static_cast<int>(entries.size()); ++i) by_row[below[entries[i].row]++] = i;
-  result.resizeNonZeros(static_cast<Eigen::Index>(entries.size()));
-  std::vector<int> next(begin, begin + n);
-  for (const int i : by_row) {
-    const Entry& e = entries[i];
-    result.innerIndexPtr()[next[e.column]] = e.row;
-    result.valuePtr()[next[e.column]++] = e.value;
-  }
-  return result;
+  return sparse_matrix(entries, n);
 }
 
 }  // namespace deformlab

@@ -25,6 +25,9 @@ class NodeBlocks {
   ///   JtJ  of every element, side by side.
   void add_mean_diagonals(std::size_t energy, double weight, const Eigen::MatrixXd& JtJ);
 
+  /// Adds 1 to every two columns that an element reads together.
+  void add_structure(std::size_t energy);
+
   /// The lower triangle over those columns of X that have a rank (0 … n − 1; the others −1), put
   /// in the order of their ranks. Zeros leave no trace, but the diagonal is there.
   SparseMatrix lower(const std::vector<int>& rank, int n) const;

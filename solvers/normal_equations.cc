@@ -1,13 +1,20 @@
 #include "solvers/normal_equations.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace deformlab {
-
 namespace {
 
+using Part = Linearization::Part;
+
+// A term that is separable but for its loss couples no two coordinates.
+bool couples_coordinates(const Part& part) {
+  return part.energy->structure() != Structure::kSeparable;
+}
+
 // One entry of an element's JᵀJ.
-double square(const Linearization::Part& part, int e, int p, int q) {
+double square(const Part& part, int e, int p, int q) {
   const std::ptrdiff_t first = std::ptrdiff_t(e) * part.energy->jacobian_columns();
   return part.square() ? part.JtJ(p, first + q) : part.J.col(first + p).dot(part.J.col(first + q));
 }
@@ -15,16 +22,48 @@ double square(const Linearization::Part& part, int e, int p, int q) {
 }  // namespace
 
 NormalEquations::NormalEquations(const Stage& stage) : Linearization(stage) {
+  targets_.resize(parts().size());
   assemble();
-  assemble_structure();
+  full_ = structure_where(couples_coordinates);
+}
+
+// A ⊗ I_d, and zeros wherever other terms will add.
+SparseMatrix NormalEquations::structure() const {
+  const SparseMatrix apart =
+      A() + 0 * structure_where([](const Part& p) { return p.loss && !couples_coordinates(p); });
+  std::vector<int> column(free_columns());  // of X, by rank
+  for (int c = 0; c < columns(); ++c) {
+    if (rank()[c] >= 0) column[rank()[c]] = c;
+  }
+  std::vector<SparseEntry> entries;
+  entries.reserve(dimension() * (apart.nonZeros() + dimension() * full_.nonZeros()));
+  const auto add = [&](int i, Eigen::Index p, int k, Eigen::Index q, double value) {
+    const auto [col, row] = std::minmax<int>({place(i, column[p]), place(k, column[q])});
+    entries.push_back({row, col, value});
+  };
+  std::vector<Eigen::Index> met(free_columns(), -1);  // the column in which a row was met last
+  for (Eigen::Index c = 0; c < apart.cols(); ++c) {
+    for (SparseMatrix::InnerIterator it(apart, c); it; ++it) {
+      met[it.row()] = c;
+      for (int i = 0; i < dimension(); ++i) add(i, it.row(), i, c, it.value());
+    }
+    for (SparseMatrix::InnerIterator it(full_, c); it; ++it) {
+      for (int i = 0; i < dimension(); ++i) {
+        for (int k = 0; k < (it.row() == c ? i : dimension()); ++k) {
+          if (i != k || met[it.row()] != c) add(i, it.row(), k, c, 0);
+        }
+      }
+    }
+  }
+  return sparse_matrix(entries, unknowns());
 }
 
 // visit(p, q, row, column) for every pair of entries p, q of an element whose place is free and in
-// H's lower triangle. A term that is separable but for its loss couples no two coordinates.
+// H's lower triangle.
 template <class Visit>
 void NormalEquations::for_each_pair(const Part& part, int e, Visit&& visit) const {
   const int d = dimension(), n = part.energy->jacobian_columns();
-  const bool apart = part.energy->structure() == Structure::kSeparable;
+  const bool apart = !couples_coordinates(part);
   const int* column = part.column.data() + std::ptrdiff_t(e) * (n / d);
   for (int p = 0; p < n; ++p) {
     const int row = place(p % d, column[p / d]);
@@ -35,41 +74,24 @@ void NormalEquations::for_each_pair(const Part& part, int e, Visit&& visit) cons
   }
 }
 
-void NormalEquations::assemble_structure() {
-  Triplets triplets;
-  std::vector<int> column(free_columns());  // of X, by rank
-  for (int c = 0; c < columns(); ++c) {
-    if (rank()[c] >= 0) column[rank()[c]] = c;
+void NormalEquations::arrange(const Eigen::VectorXi& order) {
+  std::vector<int> place_of(order.size());
+  for (int i = 0; i < order.size(); ++i) place_of[order[i]] = i;
+  for (int& place : place_) {
+    if (place >= 0) place = place_of[place];
   }
-  for (int c = 0; c < A().outerSize(); ++c) {
-    for (SparseMatrix::InnerIterator it(A(), c); it; ++it) {
-      for (int i = 0; i < dimension(); ++i) {
-        const auto [col, row] = std::minmax<int>({place(i, column[c]), place(i, column[it.row()])});
-        triplets.emplace_back(row, col, it.value());
-      }
-    }
-  }
-  for (const Part& part : parts()) {
-    if (part.structure() == Structure::kSeparable) continue;
-    const bool constant = part.structure() == Structure::kLinear;
-    for (int e = 0; e < part.energy->size(); ++e) {
-      for_each_pair(part, e, [&](int p, int q, int row, int col) {
-        triplets.emplace_back(row, col, constant ? part.weight * square(part, e, p, q) : 0);
-      });
-    }
-  }
-  for (int i = 0; i < unknowns(); ++i) triplets.emplace_back(i, i, 0);  // for dampings
-  H_.resize(unknowns(), unknowns());
-  H_.setFromTriplets(triplets.begin(), triplets.end());
-  constant_ = Eigen::Map<const Eigen::VectorXd>(H_.valuePtr(), H_.nonZeros());
+  H_ = structure();
   find_targets();
+  for (std::size_t i = 0; i < parts().size(); ++i) {
+    if (parts()[i].structure() == Structure::kLinear) add_JtJ(i);
+  }
+  constant_ = Eigen::Map<const Eigen::VectorXd>(H_.valuePtr(), H_.nonZeros());
 }
 
 void NormalEquations::find_targets() {
-  targets_.assign(parts().size(), {});
   for (std::size_t i = 0; i < parts().size(); ++i) {
     const Part& part = parts()[i];
-    if (part.structure() != Structure::kNonlinear) continue;
+    if (part.separable()) continue;
     for (int e = 0; e < part.energy->size(); ++e) {
       for_each_pair(part, e, [&](int, int, int row, int col) {
         const int* begin = H_.innerIndexPtr() + H_.outerIndexPtr()[col];
@@ -81,25 +103,17 @@ void NormalEquations::find_targets() {
   }
 }
 
-void NormalEquations::reorder(const Eigen::VectorXi& order) {
-  std::vector<int> place_of(order.size());
-  for (int i = 0; i < order.size(); ++i) place_of[order[i]] = i;
-  for (int& place : place_) {
-    if (place >= 0) place = place_of[place];
-  }
-  assemble_structure();
-}
-
 void NormalEquations::linearized() {
   Eigen::Map<Eigen::VectorXd>(H_.valuePtr(), H_.nonZeros()) = constant_;
   for (std::size_t i = 0; i < parts().size(); ++i) {
-    if (!targets_[i].empty()) add_JtJ(parts()[i], targets_[i]);
+    if (parts()[i].structure() == Structure::kNonlinear) add_JtJ(i);
   }
 }
 
-void NormalEquations::add_JtJ(const Part& part, const std::vector<int>& targets) {
+void NormalEquations::add_JtJ(std::size_t i) {
+  const Part& part = parts()[i];
   double* values = H_.valuePtr();
-  const int* target = targets.data();
+  const int* target = targets_[i].data();
   for (int e = 0; e < part.energy->size(); ++e) {
     for_each_pair(part, e, [&](int p, int q, int, int) {
       values[*target++] += part.weight * square(part, e, p, q);

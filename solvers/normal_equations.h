@@ -4,17 +4,21 @@
 #include <vector>
 
 #include "solvers/linearization.h"
+#include "solvers/sparse_entries.h"
 
 namespace deformlab {
 
-/// The normal equations JᵀJ δ = −Jᵀr of a stage with H = JᵀJ as one sparse matrix. Its constant
-/// share, all but the nonlinear terms', is assembled once.
+/// The normal equations JᵀJ δ = −Jᵀr of a stage with H = JᵀJ as one sparse matrix, of which only
+/// the nonlinear terms' share changes. Its structure is found column by column of X, and what two
+/// columns have in common is spread over their coordinates: in a time linear in the elements.
 class NormalEquations final : public Linearization {
  public:
   explicit NormalEquations(const Stage& stage);
 
-  /// Puts unknown order[i] in place i, for a fill-reducing order of H's rows and columns.
-  void reorder(const Eigen::VectorXi& order);
+  /// Where H may differ from 0, n×n, lower triangle, the unknowns as they come.
+  SparseMatrix structure() const;
+  /// Makes H with unknown order[i] in place i; called before anything is evaluated, once.
+  void arrange(const Eigen::VectorXi& order);
 
   /// JᵀJ where the stage was linearized last, n×n, lower triangle.
   const SparseMatrix& H() const { return H_; }
@@ -23,17 +27,15 @@ class NormalEquations final : public Linearization {
   void linearized() override;
 
  private:
-  using Triplets = std::vector<Eigen::Triplet<double>>;
-
-  void assemble_structure();
   void find_targets();
   template <class Visit>
   void for_each_pair(const Part& part, int e, Visit&& visit) const;
-  void add_JtJ(const Part& part, const std::vector<int>& targets);
+  void add_JtJ(std::size_t part);
 
+  SparseMatrix full_;  // pairs of columns that have all d² entries; the others have but d
   SparseMatrix H_;
   Eigen::VectorXd constant_;  // H's values without the nonlinear terms
-  // Of each nonlinear part: index into H's values of each pair of an element.
+  // Of each part that is not separable: index into H's values of each pair of an element.
   std::vector<std::vector<int>> targets_;
 };
 

@@ -51,9 +51,10 @@ struct NormalSystem {
 
 inline NormalSystem normal_system(const Stage& stage, const Unknowns& x, bool reordered) {
   NormalEquations equations(stage);
-  if (reordered) {
-    equations.reorder(make_linear_solver("cholmod")->order(equations.H()));
-  }
+  Eigen::VectorXi order =
+      Eigen::VectorXi::LinSpaced(equations.unknowns(), 0, equations.unknowns() - 1);
+  if (reordered) order = make_linear_solver("cholmod")->order(equations.structure());
+  equations.arrange(order);
   equations.evaluate(x);
   equations.linearize(x);
   std::vector<Eigen::Triplet<double>> ones;
