@@ -8,3 +8,7 @@
 #else
 #define DEFORMLAB_CLONES
 #endif
+
+// Of a function that clones are made of: it is compiled within each of them, for its processor.
+#define DEFORMLAB_INLINED __attribute__((always_inline))
+#define DEFORMLAB_INLINE inline DEFORMLAB_INLINED

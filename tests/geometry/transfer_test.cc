@@ -84,6 +84,52 @@ TEST(TransferNormals, StandOnAStretchedPlane) {
   EXPECT_LT((N.transpose() * (stretch * along)).cwiseAbs().maxCoeff(), 1e-14);
 }
 
+// Vertices are blended four at once, nodes two at once: some are left over.
+TEST(Transfer, IsTheSameForOneVertexAsAmongOthers) {
+  for (const int k : {1, 2, 3, 4, 5, 8}) {
+    const Embedded s;
+    const Embedding all = embed(s.shape.V, s.g, k);
+    const Transformations X = random_transformations(12);
+    for (const int n : {1, 2, 3, 4, 5, 10, 11}) {
+      Embedding some{all.v.leftCols(n), all.nodes.leftCols(n), all.weights.leftCols(n)};
+      const Eigen::Matrix3Xd V = transfer_positions(X, s.g, some);
+      const Eigen::Matrix3Xd N = transfer_normals(X, s.shape.N.leftCols(n), some);
+      for (int i = 0; i < n; ++i) {
+        const Embedding one = subset(all, std::vector{i});
+        EXPECT_EQ(V.col(i), transfer_positions(X, s.g, one)) << k << " nodes, vertex " << i;
+        EXPECT_EQ(N.col(i), transfer_normals(X, s.shape.N.col(i), one)) << k << " nodes";
+      }
+    }
+  }
+}
+
+TEST(Transfer, IsItsEquationForAnyNumberOfNodes) {
+  const Embedded s;
+  const Transformations X = random_transformations(12);
+  for (const int k : {1, 2, 3, 5, 8}) {
+    const Embedding e = embed(s.shape.V, s.g, k);
+    Eigen::Matrix3Xd V = Eigen::Matrix3Xd::Zero(3, e.v.cols()), N = V;
+    for (Eigen::Index i = 0; i < V.cols(); ++i) {
+      for (int a = 0; a < k; ++a) {
+        const int j = e.nodes(a, i);
+        const Eigen::Matrix3d R = X.middleCols<3>(4 * j);
+        V.col(i) +=
+            e.weights(a, i) * (R * (e.v.col(i) - s.g.col(j)) + s.g.col(j) + X.col(4 * j + 3));
+        N.col(i) += e.weights(a, i) * R.inverse().transpose() * s.shape.N.col(i);
+      }
+    }
+    EXPECT_LT((transfer_positions(X, s.g, e) - V).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_LT((transfer_normals(X, s.shape.N, e) - N.colwise().normalized()).cwiseAbs().maxCoeff(),
+              1e-12);
+  }
+}
+
+TEST(TransferNormals, StayAsTheyWereWhereTheyVanish) {
+  const Embedded s;
+  const Transformations X = Transformations::Zero(3, 48);
+  EXPECT_EQ(transfer_normals(X, s.shape.N, s.e), s.shape.N);
+}
+
 TEST(TransferNormals, StayUnitAndFiniteWhereATransformationIsSingular) {
   const Embedded s;
   Transformations X = rest_transformations(12);
