@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
 #include "geometry/error.h"
 #include "tests/support/shapes.h"
 
@@ -67,6 +71,40 @@ INSTANTIATE_TEST_SUITE_P(Of, SampleNodes,
                                            Case{"point_set", [] { return point_set(5000); }},
                                            Case{"soup", [] { return soup(300); }}),
                          [](const auto& p) { return std::string(p.param.name); });
+
+/// Points of a shape of triangles alone, as the standard library draws them.
+Eigen::Matrix3Xd drawn_points(const Shape& shape, int count, std::uint64_t seed) {
+  const auto corner = [&](std::size_t t, int c) { return shape.V.col(shape.faces[t][c]); };
+  std::vector<double> area;
+  for (std::size_t t = 0; t < shape.faces.size(); ++t) {
+    const Eigen::Vector3d a = corner(t, 1) - corner(t, 0), b = corner(t, 2) - corner(t, 0);
+    area.push_back(a.cross(b).norm() / 2);
+  }
+  std::mt19937_64 random(seed);
+  std::discrete_distribution<std::size_t> triangle(area.begin(), area.end());
+  std::uniform_real_distribution<double> uniform;
+  Eigen::Matrix3Xd result(3, count);
+  for (auto point : result.colwise()) {
+    const std::size_t t = triangle(random);
+    const double root = std::sqrt(uniform(random)), along = uniform(random);
+    point =
+        (1 - root) * corner(t, 0) + root * (1 - along) * corner(t, 1) + root * along * corner(t, 2);
+  }
+  return result;
+}
+
+TEST(SampledNodes, AreAmongThePointsThatTheStandardLibraryDraws) {
+  for (const int triangles : {1, 2, 3, 300}) {
+    Shape shape = point_set(3 * triangles);
+    for (int t = 0; t < triangles; ++t) shape.faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    if (triangles > 1) shape.V.col(4) = shape.V.col(3);  // one without area
+    const Eigen::Matrix3Xd dense = drawn_points(shape, 10000, 5);
+    const Eigen::Matrix3Xd nodes = sample_nodes(shape, 100, 5);
+    for (const auto g : nodes.colwise()) {
+      EXPECT_LT((dense.colwise() - g).colwise().norm().minCoeff(), 1e-15) << triangles;
+    }
+  }
+}
 
 TEST(SampledNodes, PicksAPointSetsOwnPoints) {
   const Shape points = point_set(500);
