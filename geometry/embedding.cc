@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nanoflann.hpp>
 #include <string>
 
 #include "geometry/error.h"
+#include "geometry/nearest_nodes.h"
 
 namespace deformlab {
 
@@ -33,17 +33,14 @@ Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   k = std::max(1, nearest - 1);
   Embedding result{v, Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
 
-  using Tree =
-      nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2, false>;
-  const Tree tree(3, g);
+  NearestNodes nearest_nodes(g, nearest);
   Eigen::VectorXd distances(k + 1);
-  Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1> found(k + 1);
+  Eigen::VectorXi found(k + 1);
   for (int i = 0; i < n; ++i) {
-    tree.query(v.col(i).data(), nearest, found.data(), distances.data());
-    distances.head(nearest) = distances.head(nearest).cwiseSqrt();
+    nearest_nodes.find(v.col(i), found.data(), distances.data());
     if (nearest == k) distances[k] = 2 * distances[0] + 1;  // the only node: any d_max gives 1
     weigh(distances, k);
-    result.nodes.col(i) = found.head(k).cast<int>();
+    result.nodes.col(i) = found.head(k);
     result.weights.col(i) = distances.head(k);
   }
   return result;

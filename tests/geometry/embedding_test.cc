@@ -51,6 +51,29 @@ TEST(Embed, FindsTheNearestNodesNearestFirst) {
   }
 }
 
+// The nodes of one point are sought near those of the point before.
+TEST(Embed, FindsTheSameForOnePointAsAmongOthers) {
+  const Shape plane = bumpy_plane(30);
+  Eigen::Matrix3Xd apart = plane.V;  // far from the point before, at it, and at nodes
+  for (Eigen::Index i = 0; i < apart.cols(); i += 3) apart.col(i) = 1e6 * plane.V.col(i);
+  apart.col(7) = apart.col(8);
+  const Eigen::Matrix3Xd random = random_points(60, {1, 1, 0.1}, 3);
+  const Eigen::Matrix3Xd regular = bumpy_plane(8).V;  // nodes that are equally far
+  apart.col(10) = random.col(5);
+  for (const Eigen::Matrix3Xd& v : {plane.V, apart}) {
+    for (const Eigen::Matrix3Xd& g : {random, regular}) {
+      for (const int k : {1, 4, 8, kMaxNeighbors}) {
+        const Embedding e = embed(v, g, k);
+        for (Eigen::Index i = 0; i < v.cols(); ++i) {
+          const Embedding one = embed(v.col(i), g, k);
+          ASSERT_EQ(e.nodes.col(i), one.nodes) << "point " << i << ", " << k << " neighbors";
+          ASSERT_EQ(e.weights.col(i), one.weights) << "point " << i << ", " << k << " neighbors";
+        }
+      }
+    }
+  }
+}
+
 TEST(Embed, SharesEquallyAmongEquidistantNodes) {
   Eigen::Matrix3Xd g(3, 4);  // a regular tetrahedron about the origin
   g << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
