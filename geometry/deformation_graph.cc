@@ -23,7 +23,7 @@ struct Overlap {
 class Overlaps {
  public:
   void add(int j, int k, double amount) {
-    if (2 * pairs_.size() >= table_.size()) grow();
+    if (kSlots * pairs_.size() >= table_.size()) grow();
     int& at = slot(j, k);
     if (at < 0) {
       at = static_cast<int>(pairs_.size());
@@ -37,6 +37,8 @@ class Overlaps {
   }
 
  private:
+  static constexpr std::size_t kSlots = 8;  // for each pair at least: most are found at once
+
   int& slot(int j, int k) {
     const std::size_t mask = table_.size() - 1;
     std::uint64_t h = (std::uint64_t(std::uint32_t(j)) << 32 | std::uint32_t(k));
@@ -71,12 +73,6 @@ std::vector<Overlap> overlaps(const Embedding& e, std::span<const int> followed)
   return std::move(pairs).sorted();
 }
 
-void normalize(std::vector<GraphEdge>& edges) {
-  double sum = 0;
-  for (const GraphEdge& edge : edges) sum += edge.alpha;
-  for (GraphEdge& edge : edges) edge.alpha = sum > 0 ? edge.alpha * edges.size() / sum : 1;
-}
-
 int find_root(std::vector<int>& parent, int j) {
   while (parent[j] != j) j = parent[j] = parent[parent[j]];
   return j;
@@ -95,7 +91,7 @@ DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
   if (alpha == "uniform") {
     for (GraphEdge& edge : graph.edges) edge.alpha = 1;
   } else if (alpha == "overlap") {
-    normalize(graph.edges);
+    normalize_weights(graph);
   } else {
     weigh_by_length(graph);
   }
@@ -113,7 +109,15 @@ void weigh_by_length(DeformationGraph& graph) {
   // In units of the shortest, so that no power overflows.
   for (GraphEdge& edge : graph.edges)
     edge.alpha = std::pow(std::max(1.0, length(edge) / least), -2);
-  normalize(graph.edges);
+  normalize_weights(graph);
+}
+
+void normalize_weights(DeformationGraph& graph) {
+  double sum = 0;
+  for (const GraphEdge& edge : graph.edges) sum += edge.alpha;
+  for (GraphEdge& edge : graph.edges) {
+    edge.alpha = sum > 0 ? edge.alpha * graph.edges.size() / sum : 1;
+  }
 }
 
 double mean_edge_length(const DeformationGraph& graph) {

@@ -88,6 +88,9 @@ DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
 /// shortest of the others.
 void weigh_by_length(DeformationGraph& graph);
 
+/// Scales the weights of edges to a mean of one; where they sum up to nothing, each becomes one.
+void normalize_weights(DeformationGraph& graph);
+
 /// Mean length of an edge [length]; without edges the diagonal of the nodes' bounding box, and for
 /// a single point 1: the unit that E_reg and E_con are measured in by default.
 double mean_edge_length(const DeformationGraph& graph);

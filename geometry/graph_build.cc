@@ -67,13 +67,6 @@ Placed place(const Shape& shape, const GraphOptions& options) {
                    "'; known: sampling, simplification, grid, file");
 }
 
-// Lets the mean weight be one again, which leaving edges out may have changed.
-void normalize(std::vector<GraphEdge>& edges) {
-  double sum = 0;
-  for (const GraphEdge& edge : edges) sum += edge.alpha;
-  for (GraphEdge& edge : edges) edge.alpha = sum > 0 ? edge.alpha * edges.size() / sum : 1;
-}
-
 bool is_before(const GraphEdge& one, const GraphEdge& other) {
   return std::pair(one.j, one.k) < std::pair(other.j, other.k);
 }
@@ -119,7 +112,7 @@ class Builder {
     if (placed.edges) take(*placed.edges, graph);
     if (!cuts_.empty()) cut(graph);
     const bool changed = placed.edges || !cuts_.empty();
-    if (changed && options_.alpha != "uniform") normalize(graph.edges);
+    if (changed && options_.alpha != "uniform") normalize_weights(graph);
     return graph;
   }
 
