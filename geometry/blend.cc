@@ -49,6 +49,7 @@ DEFORMLAB_INLINE void add(const Columns& M, double w, const double* v, Four& sum
 // Takes as long as its loads, so that two nodes' numbers come with one.
 template <int columns>
 DEFORMLAB_INLINE void blend(const auto& b, std::ptrdiff_t i, Four& sum) {
+  look_ahead(b, i);
   constexpr bool low_first = std::endian::native == std::endian::little;
   const double* v = b.v + 3 * i;
   const int* nodes = b.nodes + b.k * i;
@@ -72,7 +73,6 @@ DEFORMLAB_INLINE void store(const Four& sum, double* p) {
 DEFORMLAB_INLINE void points(const auto& b, std::ptrdiff_t begin, std::ptrdiff_t end,
                              double* result) {
   for (std::ptrdiff_t i = begin; i < end; ++i) {
-    look_ahead(b, i);
     Four sum;
     blend<4>(b, i, sum);
     store(sum, result + 3 * i);
@@ -101,13 +101,9 @@ DEFORMLAB_INLINE void square(const Four& p, const Four& q, const Four& r, const 
 // Of `count` vertices from i on, the last one standing for the rest of the four.
 DEFORMLAB_INLINE void blend_four(const auto& b, std::ptrdiff_t i, int count, Raw& raw) {
   Four p, q, r, s;  // by name, so that they stay in registers
-  look_ahead(b, i);
   blend<3>(b, i, p);
-  look_ahead(b, i + std::min(1, count - 1));
   blend<3>(b, i + std::min(1, count - 1), q);
-  look_ahead(b, i + std::min(2, count - 1));
   blend<3>(b, i + std::min(2, count - 1), r);
-  look_ahead(b, i + count - 1);
   blend<3>(b, i + count - 1, s);
   raw.sums[0] = p, raw.sums[1] = q, raw.sums[2] = r, raw.sums[3] = s;
   square(p, q, r, s, raw.squares);
