@@ -52,9 +52,11 @@ void NearestNodes::find(const Eigen::Vector3d& v, int* nodes, double* distances)
 // that are equally far are left to the tree, which has an order for them.
 bool NearestNodes::find_near(const Eigen::Vector3d& v) {
   const double offset = kSlack * (v - g_.col(last_)).norm();
+  const std::vector<Neighbor>& near = neighbors(last_);
+  if (offset > near.back().distance / 2) return false;  // too far for what is known
   double* const squares = squares_.data();
   int found = 0;
-  for (const auto& [distance, node] : neighbors(last_)) {
+  for (const auto& [distance, node] : near) {
     const double least = distance - offset;
     if (found > count_ && least > 0 && least * least > kSlack * squares[count_]) {
       return std::ranges::adjacent_find(squares_, std::greater_equal()) == squares_.end();
@@ -69,10 +71,10 @@ bool NearestNodes::find_near(const Eigen::Vector3d& v) {
   return false;
 }
 
-void NearestNodes::query(const Eigen::Vector3d& v, int count, int* nodes, double* squares) const {
-  std::vector<Eigen::Index> found(count);
-  tree_->query(v.data(), count, found.data(), squares);
-  std::ranges::copy(found, nodes);
+void NearestNodes::query(const Eigen::Vector3d& v, int count, int* nodes, double* squares) {
+  found_.resize(count);
+  tree_->query(v.data(), count, found_.data(), squares);
+  std::ranges::copy(found_, nodes);
 }
 
 const std::vector<NearestNodes::Neighbor>& NearestNodes::neighbors(int j) {

@@ -24,7 +24,7 @@ class NearestNodes {
     int node;
   };
 
-  void query(const Eigen::Vector3d& v, int count, int* nodes, double* squares) const;
+  void query(const Eigen::Vector3d& v, int count, int* nodes, double* squares);
   const std::vector<Neighbor>& neighbors(int j);
   bool find_near(const Eigen::Vector3d& v);
 
@@ -34,6 +34,7 @@ class NearestNodes {
   std::vector<std::vector<Neighbor>> neighbors_;  // of a node, nearest first; empty until asked for
   std::vector<double> squares_;                   // of the distances of those that are sought,
   std::vector<int> nodes_;                        // and of the next one
+  std::vector<Eigen::Index> found_;               // what the tree is asked for
   int last_ = -1;                                 // the node nearest to the last point
 };
 
