@@ -12,6 +12,7 @@
 #include "deformers/hold.h"
 #include "deformers/reflections.h"
 #include "energies/catalog.h"
+#include "energies/orientation.h"
 #include "energies/rotation.h"
 #include "energies/rotation_vector.h"
 #include "geometry/error.h"
@@ -20,7 +21,6 @@
 namespace deformlab {
 namespace {
 
-constexpr int kMostRepairs = 3;
 constexpr double kMostUnits = 1e9;  // of length_unit in a mean edge, and of mean edges in it
 
 double length_unit(const std::string& text, const DeformationGraph& graph) {
@@ -295,30 +295,6 @@ void EmbeddedDeformation::carry_along(const Eigen::Matrix3Xd& targets) {
   }
 }
 
-// Keeps what comes out where fewer nodes are inside out than before.
-void EmbeddedDeformation::repair_reflections(Report& report) {
-  if (options_.dimension != 3) return;
-  const auto count = [&] {
-    Report counted;
-    measure_determinants(transformations(), counted);
-    return counted.inside_out;
-  };
-  for (int before = count(), round = 0; before > 0 && round < kMostRepairs; ++round) {
-    const Eigen::MatrixXd X = stage_.x.X;
-    if (!turn_back(scaled(graph_, 1 / unit_), handles_, stage_.fixed, stage_.x)) return;
-    Summary solve = solver_->solve(stage_);
-    const int after = count();
-    if (after >= before) {
-      stage_.x.X = X;
-      return;
-    }
-    report.notes.push_back("nodes that were inside out and were turned back: " +
-                           std::to_string(before - after));
-    report.solve = std::move(solve);
-    before = after;
-  }
-}
-
 void EmbeddedDeformation::measure_determinants(const Transformations& X, Report& report) const {
   report.min_det_R = std::numeric_limits<double>::infinity();
   for (Eigen::Index j = 0; j < graph_.g.cols(); ++j) {
@@ -335,7 +311,11 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   for (const auto& term : stage_.terms) term.energy->aim(aims);
   carry_along(targets);
   report.solve = solver_->solve(stage_);
-  if (options_.reflections == "repair") repair_reflections(report);
+  if (options_.reflections == "repair" && !is_rigid()) {
+    repair_reflections(stage_,
+                       make_energy(Orientation<3>::kName, graph_, handles_, options_.dimension),
+                       *solver_, options_.solver, report);
+  }
   const Transformations X = transformations();
   {
     Stopwatch watch(report.seconds["transfer"]);
@@ -355,8 +335,8 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   if (report.inside_out > 0) {
     report.notes.push_back(
         "nodes where space is turned inside out (det R < 0), which E_rot cannot see: " +
-        std::to_string(report.inside_out) +
-        "; move the handles less, or in smaller steps, or set reflections: repair");
+        std::to_string(report.inside_out) + "; move the handles less, or in smaller steps" +
+        (options_.reflections == "repair" ? "" : ", or set reflections: repair"));
   }
   return report;
 }

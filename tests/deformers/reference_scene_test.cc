@@ -1,8 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "deformers/embedded_deformation.h"
 #include "tests/support/shapes.h"
 
@@ -20,15 +17,9 @@ struct Scene {
 Scene lifted_plane(double side) {
   constexpr int n = 101, strip = 5;
   Scene scene;
-  scene.shape.V.resize(3, n * n);
+  scene.shape = bumpy_plane(n);
   for (int i = 0; i < n * n; ++i) {
-    const double x = double(i % n) / (n - 1), y = double(i / n) / (n - 1);
-    const double k = 10 * std::numbers::pi;
-    scene.shape.V.col(i) << x, y, 0.02 * std::sin(k * x) * std::sin(k * y);
     if (i % n < strip || i % n >= n - strip) scene.handles.moved.push_back(i);
-  }
-  for (int i = 0; i < n * (n - 1); ++i) {
-    if (i % n < n - 1) scene.shape.faces.push_back({i, i + 1, i + n + 1, i + n});
   }
   scene.targets = scene.shape.V(Eigen::all, scene.handles.moved);
   for (auto target : scene.targets.colwise()) target.z() += target.x() > 0.5 ? 0.5 : 0;

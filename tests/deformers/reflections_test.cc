@@ -15,33 +15,58 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// A bumpy strip whose right end is turned about its long axis in one shot, the left one held.
-Report twist(double degrees, const std::string& reflections) {
-  constexpr int nx = 81, ny = 11, held = 6;
-  Shape strip;
-  strip.V.resize(3, nx * ny);
+struct Strip {
+  Shape shape;
   Handles handles;
+  Eigen::Matrix3Xd targets;  // of its right end, at rest
+};
+
+/// Bumpy, 4 long and 0.5 wide; its left end is fixed, its right end moved.
+Strip strip() {
+  constexpr int nx = 81, ny = 11, held = 6;
+  Strip result;
+  Shape& shape = result.shape;
+  shape.V.resize(3, nx * ny);
   for (int i = 0; i < nx * ny; ++i) {
     const double x = 4.0 * (i % nx) / (nx - 1), y = 0.5 * (i / nx) / (ny - 1);
-    strip.V.col(i) << x, y, 0.02 * std::sin(8 * x) * std::sin(12 * y);
-    if (i % nx < held) handles.fixed.push_back(i);
-    if (i % nx >= nx - held) handles.moved.push_back(i);
+    shape.V.col(i) << x, y, 0.02 * std::sin(8 * x) * std::sin(12 * y);
+    if (i % nx < held) result.handles.fixed.push_back(i);
+    if (i % nx >= nx - held) result.handles.moved.push_back(i);
   }
   for (int i = 0; i + nx < nx * ny; ++i) {
-    if (i % nx < nx - 1) strip.faces.push_back({i, i + 1, i + nx + 1, i + nx});
+    if (i % nx < nx - 1) shape.faces.push_back({i, i + 1, i + nx + 1, i + nx});
   }
-  Eigen::Matrix3Xd targets = strip.V(Eigen::all, handles.moved);
-  const Eigen::Vector3d centre = targets.rowwise().mean();
+  result.targets = shape.V(Eigen::all, result.handles.moved);
+  return result;
+}
+
+Report deform(const Strip& strip, const std::string& reflections, int nodes = 150,
+              const std::string& method = "gauss_newton") {
+  EmbeddedDeformationOptions options;
+  options.graph.nodes = nodes;
+  options.reflections = reflections;
+  options.solver.method = method;
+  EmbeddedDeformation deformation(strip.shape, options);
+  deformation.compile(strip.handles);
+  return deformation.update(strip.targets);
+}
+
+/// Its right end is turned about its long axis in one shot.
+Report twist(double degrees, const std::string& reflections) {
+  Strip twisted = strip();
+  const Eigen::Vector3d centre = twisted.targets.rowwise().mean();
   const Eigen::Matrix3d R =
       Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Eigen::Vector3d::UnitX())
           .toRotationMatrix();
-  targets = (R * (targets.colwise() - centre)).colwise() + centre;
-  EmbeddedDeformationOptions options;
-  options.graph.nodes = 150;
-  options.reflections = reflections;
-  EmbeddedDeformation deformation(strip, options);
-  deformation.compile(handles);
-  return deformation.update(targets);
+  twisted.targets = ((R * (twisted.targets.colwise() - centre)).colwise() + centre).eval();
+  return deform(twisted, reflections);
+}
+
+/// It is compressed to a third of its length in one shot, and folds.
+Strip crushed() {
+  Strip result = strip();
+  result.targets.row(0).array() -= 4.0 * 2 / 3;
+  return result;
 }
 
 class Twists : public ::testing::TestWithParam<double> {};
@@ -63,6 +88,31 @@ TEST_P(Twists, AreCured) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Twists, ::testing::Values(150, 170, 180));
+
+class Folds : public ::testing::TestWithParam<int> {};
+
+// A fold is what F is least at: it stays away only while the term that keeps it away is there.
+TEST_P(Folds, AreCured) {
+  const Report broken = deform(crushed(), "report", GetParam());
+  const Report report = deform(crushed(), "repair", GetParam());
+  EXPECT_GT(broken.inside_out, 0);
+  EXPECT_EQ(report.solve.status, Status::kConverged);
+  EXPECT_EQ(report.inside_out, 0);
+  EXPECT_GT(report.min_det_R, 0);
+  EXPECT_GT(report.solve.cost_by_term.at("orientation"), 0);
+  EXPECT_LT(report.solve.final_cost, 1.1 * broken.solve.final_cost);
+  EXPECT_THAT(report.notes, Contains(HasSubstr("of the term orientation")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Nodes, Folds, ::testing::Values(60, 100, 150));
+
+TEST(Reflections, OfAFoldAreCuredByCeresAlike) {
+  const Report ours = deform(crushed(), "repair", 60);
+  const Report report = deform(crushed(), "repair", 60, "ceres");
+  EXPECT_EQ(report.solve.method, "ceres");
+  EXPECT_EQ(report.inside_out, 0);
+  EXPECT_NEAR(report.solve.final_cost, ours.solve.final_cost, 1e-2 * ours.solve.final_cost);
+}
 
 TEST(Reflections, AreNoneWhereTheEditIsMild) {
   const Report report = twist(40, "repair"), same = twist(40, "report");
