@@ -12,7 +12,6 @@
 #include "deformers/hold.h"
 #include "deformers/reflections.h"
 #include "energies/catalog.h"
-#include "energies/orientation.h"
 #include "energies/rotation.h"
 #include "energies/rotation_vector.h"
 #include "geometry/error.h"
@@ -312,9 +311,7 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   carry_along(targets);
   report.solve = solver_->solve(stage_);
   if (options_.reflections == "repair" && !is_rigid()) {
-    repair_reflections(stage_,
-                       make_energy(Orientation<3>::kName, graph_, handles_, options_.dimension),
-                       *solver_, options_.solver, report);
+    repair_reflections(stage_, graph_, handles_, *solver_, options_.solver, report);
   }
   const Transformations X = transformations();
   {

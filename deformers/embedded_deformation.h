@@ -30,8 +30,9 @@ struct EmbeddedDeformationOptions {
   /// twelve, the same terms being summed (Sumner et al. 2007, section 7, names images).
   int dimension = 3;
   /// E_rot cannot tell a reflection from a rotation, and an edit in one shot can turn nodes inside
-  /// out (det R < 0). report: that is counted and said. repair: they are turned back by the term
-  /// `orientation`, which is taken away again unless they would turn over once more.
+  /// out (det R < 0). report: that is counted and said. repair: they are turned back and solved on
+  /// (deformers/reflections.h); where F is least at a fold, the term `orientation` stays to hold it
+  /// open.
   std::string reflections = "report";
   /// affine: twelve unknowns a node, and E_rot draws R_j towards a rotation (the paper's). rigid: a
   /// rotation vector and t_j, six; R_j is a rotation by construction, and E_rot is nothing. No term

@@ -8,12 +8,14 @@
 
 #include "deformers/embedded_deformation.h"
 #include "geometry/error.h"
+#include "tests/support/shapes.h"
 
 namespace deformlab::test {
 namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Strip {
   Shape shape;
@@ -21,15 +23,15 @@ struct Strip {
   Eigen::Matrix3Xd targets;  // of its right end, at rest
 };
 
-/// Bumpy, 4 long and 0.5 wide; its left end is fixed, its right end moved.
-Strip strip() {
+/// 4 long and 0.5 wide, with bumps of this height; its left end is fixed, its right end moved.
+Strip strip(double bumps = 0.02) {
   constexpr int nx = 81, ny = 11, held = 6;
   Strip result;
   Shape& shape = result.shape;
   shape.V.resize(3, nx * ny);
   for (int i = 0; i < nx * ny; ++i) {
     const double x = 4.0 * (i % nx) / (nx - 1), y = 0.5 * (i / nx) / (ny - 1);
-    shape.V.col(i) << x, y, 0.02 * std::sin(8 * x) * std::sin(12 * y);
+    shape.V.col(i) << x, y, bumps * std::sin(8 * x) * std::sin(12 * y);
     if (i % nx < held) result.handles.fixed.push_back(i);
     if (i % nx >= nx - held) result.handles.moved.push_back(i);
   }
@@ -41,8 +43,9 @@ Strip strip() {
 }
 
 Report deform(const Strip& strip, const std::string& reflections, int nodes = 150,
-              const std::string& method = "gauss_newton") {
+              const std::string& method = "gauss_newton", int dimension = 3) {
   EmbeddedDeformationOptions options;
+  options.dimension = dimension;
   options.graph.nodes = nodes;
   options.reflections = reflections;
   options.solver.method = method;
@@ -52,8 +55,8 @@ Report deform(const Strip& strip, const std::string& reflections, int nodes = 15
 }
 
 /// Its right end is turned about its long axis in one shot.
-Report twist(double degrees, const std::string& reflections) {
-  Strip twisted = strip();
+Report twist(double degrees, const std::string& reflections, double bumps = 0.02) {
+  Strip twisted = strip(bumps);
   const Eigen::Vector3d centre = twisted.targets.rowwise().mean();
   const Eigen::Matrix3d R =
       Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Eigen::Vector3d::UnitX())
@@ -63,8 +66,8 @@ Report twist(double degrees, const std::string& reflections) {
 }
 
 /// It is compressed to a third of its length in one shot, and folds.
-Strip crushed() {
-  Strip result = strip();
+Strip crushed(double bumps = 0.02) {
+  Strip result = strip(bumps);
   result.targets.row(0).array() -= 4.0 * 2 / 3;
   return result;
 }
@@ -112,6 +115,61 @@ TEST(Reflections, OfAFoldAreCuredByCeresAlike) {
   EXPECT_EQ(report.solve.method, "ceres");
   EXPECT_EQ(report.inside_out, 0);
   EXPECT_NEAR(report.solve.final_cost, ours.solve.final_cost, 1e-2 * ours.solve.final_cost);
+}
+
+// In the plane no strip can bulge out of it.
+TEST(Reflections, OfAFoldInThePlaneAreCured) {
+  const Report broken = deform(crushed(0), "report", 150, "gauss_newton", 2);
+  const Report report = deform(crushed(0), "repair", 150, "gauss_newton", 2);
+  EXPECT_GT(broken.inside_out, 0);
+  EXPECT_EQ(report.solve.status, Status::kConverged);
+  EXPECT_EQ(report.inside_out, 0);
+}
+
+// Turned by exactly 180°, a flat strip has no reason to leave its plane, where it would only
+// shrink.
+TEST(Reflections, OfAFlatStripThatIsTurnedOverAreCured) {
+  const Report broken = twist(180, "report", 0), report = twist(180, "repair", 0);
+  EXPECT_GT(broken.inside_out, 0);
+  EXPECT_EQ(report.inside_out, 0);
+  EXPECT_GT(report.min_det_R, 0.4);
+  EXPECT_LT(report.solve.final_cost, broken.solve.final_cost);
+}
+
+// The next update starts from the repaired state: what it repairs has to come out alike.
+TEST(Reflections, StayCuredInTheUpdatesThatFollow) {
+  const Strip strip = crushed();
+  EmbeddedDeformationOptions options;
+  options.graph.nodes = 150;
+  options.reflections = "repair";
+  EmbeddedDeformation deformation(strip.shape, options);
+  deformation.compile(strip.handles);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(deformation.update(strip.targets).inside_out, 0) << i;
+}
+
+// Every vertex is a handle, and their targets are the mirrored shape: nothing gives way.
+TEST(Reflections, ThatHandlesAskForStayAndAreSaid) {
+  const Shape shape = tube(8);
+  const auto mirrored = [&](const std::string& reflections) {
+    EmbeddedDeformationOptions options;
+    options.graph.nodes = 20;
+    options.reflections = reflections;
+    options.energies["constraint"] = 1e12;
+    EmbeddedDeformation deformation(shape, options);
+    Handles handles;
+    for (int i = 0; i < shape.V.cols(); ++i) handles.moved.push_back(i);
+    deformation.compile(handles);
+    const Report report =
+        deformation.update(Eigen::Vector3d(-1, 1, 1).asDiagonal() * Eigen::Matrix3Xd(shape.V));
+    return std::pair(report, deformation.deformed().V);
+  };
+  const auto [report, V] = mirrored("repair");
+  const auto [same, same_V] = mirrored("report");
+  EXPECT_GT(report.inside_out, 0);
+  EXPECT_EQ(report.inside_out, same.inside_out);
+  EXPECT_EQ(V, same_V);
+  EXPECT_THAT(report.notes, Contains(HasSubstr("could not be turned back")));
+  EXPECT_THAT(report.notes, Not(Contains(HasSubstr("set reflections: repair"))));
 }
 
 TEST(Reflections, AreNoneWhereTheEditIsMild) {
