@@ -49,6 +49,7 @@ Report deform(const Strip& strip, const std::string& reflections, int nodes = 15
   options.graph.nodes = nodes;
   options.reflections = reflections;
   options.solver.method = method;
+  options.solver.max_iterations = 300;  // folds that open take up to some hundred
   EmbeddedDeformation deformation(strip.shape, options);
   deformation.compile(strip.handles);
   return deformation.update(strip.targets);
