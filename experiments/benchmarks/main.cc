@@ -119,7 +119,7 @@ std::string report(const std::string& figures, const std::string& comparisons,
          context() +
          "\n## Whole edits against others\n\nEach ratio is of medians of this run, ours and theirs "
          "in turns, one thread. From rest, compilation and Ceres' preprocessing are counted; of a "
-         "drag nothing but the update, on a problem that Ceres keeps too.\n\n" +
+         "drag nothing but an update that follows another, on a problem that Ceres keeps too.\n\n" +
          speeds +
          "\n## Growth, and a million vertices\n\nA bumpy plane, deformed as the reference scene "
          "is, "
