@@ -5,7 +5,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -107,21 +109,35 @@ struct Guarded {
   double orientation = 0;  // what the term counts at the end
 };
 
+// A term of the stage for as long as this lives.
+class AddedTerm {
+ public:
+  AddedTerm(Stage& stage, std::unique_ptr<Energy> energy) : stage_(stage) {
+    stage.terms.push_back({std::move(energy)});
+  }
+  ~AddedTerm() { stage_.terms.pop_back(); }
+  AddedTerm(const AddedTerm&) = delete;
+  AddedTerm& operator=(const AddedTerm&) = delete;
+  void weigh(double weight) { stage_.terms.back().weight = weight; }
+
+ private:
+  Stage& stage_;
+};
+
 Guarded solve_guarded(Stage& stage, std::unique_ptr<Energy> orientation,
                       const SolverOptions& options) {
   Guarded result;
   double least = std::numeric_limits<double>::max();
   for (const WeightedEnergy& term : stage.terms) least = std::min(least, term.weight);
-  stage.terms.push_back({std::move(orientation)});
+  AddedTerm added(stage, std::move(orientation));
   for (const double factor : kRounds) {
-    stage.terms.back().weight = factor * least;
+    added.weigh(factor * least);
     const std::unique_ptr<Solver> solver = make_solver(options);
     solver->compile(stage);
     result.solve = solver->solve(stage);
     if (count_inside_out(stage.x) == 0) break;
   }
   result.orientation = cost_by_term(stage, stage.x).back();
-  stage.terms.pop_back();
   return result;
 }
 
@@ -131,7 +147,7 @@ void set_free(Stage& stage, Solver& solver, Guarded& guarded) {
   const Eigen::MatrixXd X = stage.x.X;
   const int left = count_inside_out(stage.x);
   Summary free = solver.solve(stage);
-  if (count_inside_out(stage.x) <= left) {
+  if (free.status != Status::kFailed && count_inside_out(stage.x) <= left) {
     guarded = {std::move(free)};
   } else {
     stage.x.X = X;
@@ -176,7 +192,7 @@ void repair_reflections(Stage& stage, const DeformationGraph& graph, const Embed
   if (d == 3) spread_rotations(graph, handles, stage.fixed, stage.x);
   Guarded guarded =
       solve_guarded(stage, make_energy(Orientation<>::kName, graph, handles, d), options);
-  if (count_inside_out(stage.x) >= before) {
+  if (guarded.solve.status == Status::kFailed || count_inside_out(stage.x) >= before) {
     stage.x.X = X;
     report.notes.push_back("nodes that are inside out could not be turned back");
     return;

@@ -43,14 +43,12 @@ void multiply_2_2(const int* rank, const double* JtJ, std::ptrdiff_t elements, d
 void multiply_any(int d, int count, const int* rank, const double* JtJ, std::ptrdiff_t elements,
                   double weight, const double* p, double* Hp) {
   const int n = d * count;
-  for (std::ptrdiff_t e = 0; e < elements; ++e, rank += count) {
+  for (std::ptrdiff_t e = 0; e < elements; ++e, rank += count, JtJ += n * n) {
+    if (rank[0] < 0) continue;
     for (int q = 0; q < n; ++q) {
-      for (int r = 0; r < n && rank[0] >= 0; ++r, ++JtJ) {
-        Hp[4 * std::ptrdiff_t(rank[r / d]) + r % d] +=
-            weight * *JtJ * p[4 * std::ptrdiff_t(rank[q / d]) + q % d];
-      }
+      const double x = weight * p[4 * std::ptrdiff_t(rank[q / d]) + q % d];
+      for (int r = 0; r < n; ++r) Hp[4 * std::ptrdiff_t(rank[r / d]) + r % d] += JtJ[q * n + r] * x;
     }
-    if (rank[0] < 0) JtJ += n * n;
   }
 }
 

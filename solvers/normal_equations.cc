@@ -48,6 +48,7 @@ SparseMatrix NormalEquations::structure() const {
       for (int i = 0; i < dimension(); ++i) add(i, it.row(), i, c, it.value());
     }
     for (SparseMatrix::InnerIterator it(full_, c); it; ++it) {
+      if (it.value() == 0) continue;  // a diagonal that no such element reads
       for (int i = 0; i < dimension(); ++i) {
         for (int k = 0; k < (it.row() == c ? i : dimension()); ++k) {
           if (i != k || met[it.row()] != c) add(i, it.row(), k, c, 0);

@@ -3,8 +3,8 @@
 #include "deformers/embedded_deformation.h"
 #include "tests/support/shapes.h"
 
-// The scene that solvers are measured on, with sides of several lengths in its own unit: the
-// shorter they are, the stiffer E_rot beside the other terms.
+// A scene like the one that solvers are measured on, with sides of several lengths in its own unit:
+// the shorter they are, the stiffer E_rot beside the other terms.
 namespace deformlab::test {
 namespace {
 

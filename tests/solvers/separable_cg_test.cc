@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "energies/term_energy.h"
+#include "solvers/node_squares.h"
+#include "solvers/normal_equations.h"
 #include "tests/solvers/ladder.h"
 
 namespace deformlab::test {
@@ -39,6 +41,41 @@ TEST_P(SeparableCg, FindsItWithNodesFixed) {
 TEST_P(SeparableCg, FindsItAccelerated) { expect_the_minimum_of_a_factorization("accelerated"); }
 
 INSTANTIATE_TEST_SUITE_P(Nodes, SeparableCg, ::testing::Values(20, 200, 1000));
+
+// A from the separable terms, a block a node from the others.
+TEST(SeparableCgProduct, IsThatWithJtJ) {
+  Stage stage = twisted_plate(50);
+  for (int j = 0; j < stage.x.nodes(); j += 5) stage.fixed[j] = 1;
+  const Unknowns x = perturbed(stage.x, 0.1);
+  Linearization linearization(stage);
+  linearization.assemble();
+  linearization.evaluate(x);
+  linearization.linearize(x);
+  NodeSquares squares;
+  squares.compile(linearization);
+  Columns4 p = Columns4::Random(4, linearization.free_columns());
+  p.row(3).setZero();
+  Columns4 Hp = Columns4::Zero(4, p.cols());
+  add_product(linearization.A(), p, Hp);
+  squares.add_product(linearization, p, Hp);
+  const Eigen::VectorXd direction = p.topRows(3).reshaped();
+  const Eigen::SparseMatrix<double> P = free_entries(stage);
+  const Eigen::VectorXd everywhere = P.transpose() * direction;
+  const Eigen::VectorXd expected = P * (reference(stage, x).JtJ() * everywhere);
+  const Eigen::VectorXd product = Hp.topRows(3).reshaped();
+  EXPECT_LT(relative_difference(product, expected), 1e-12);
+  EXPECT_EQ(Hp.row(3).cwiseAbs().maxCoeff(), 0);
+}
+
+// Coordinates that no term couples stay apart in JᵀJ.
+TEST(NormalEquationsStructure, HasNoMoreThanTheTermsNeed) {
+  Stage stage = twisted_plate(50);
+  std::erase_if(stage.terms, [](const WeightedEnergy& term) {
+    return term.energy->structure() != Structure::kSeparable;
+  });
+  const NormalEquations equations(stage);
+  EXPECT_EQ(equations.structure().nonZeros(), 3 * equations.A().nonZeros());
+}
 
 // With separable terms alone the preconditioner is the matrix itself.
 TEST(SeparableCgPreconditioner, IsExactForSeparableTerms) {
