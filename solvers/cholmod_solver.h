@@ -8,7 +8,8 @@
 
 namespace deformlab {
 
-/// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders.
+/// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders
+/// or, quickly, in AMD's where that fills little.
 class CholmodSolver final : public LinearSolver {
  public:
   explicit CholmodSolver(int threads = 1);

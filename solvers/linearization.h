@@ -26,7 +26,7 @@ class Linearization {
   explicit Linearization(const Stage& stage);
   virtual ~Linearization() = default;
 
-  /// Takes over where the terms are drawn towards now (Energy::aim).
+  /// Takes over where the terms are drawn towards: called between Energy::aim and `evaluate`.
   void aim();
   /// F at x; its residuals stay for `linearize`.
   double evaluate(const Unknowns& x);
@@ -72,10 +72,10 @@ class Linearization {
     const Energy* energy = nullptr;
     double weight = 1;
     std::shared_ptr<const ceres::LossFunction> loss = nullptr;
-    Eigen::MatrixXd r{};    ///< rows × elements, unless separable
+    Eigen::MatrixXd r{};    ///< rows × elements; separable: b as Energy has it
     Eigen::MatrixXd J{};    ///< separable: coefficients a, one column an element; else Jacobians
     Columns4 b{};           ///< separable: of the residuals X a − b
-    Eigen::MatrixXd JtJ{};  ///< of all elements, side by side, in place of J: of a term of one node
+    Eigen::MatrixXd JtJ{};  ///< side by side and zeros behind, in place of J: of a term of one node
     Eigen::MatrixXd Jtr{};  ///< of every element, unless separable
     Eigen::MatrixXd bent{};  ///< the same of `bend`, of nonlinear terms
     Eigen::VectorXd root{};  ///< √ρ′ of every element, which J has in it: of a term with a loss
