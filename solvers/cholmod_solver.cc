@@ -65,7 +65,7 @@ Eigen::VectorXi CholmodSolver::order(const SparseMatrix& lower, int group, bool 
   const SparseMatrix groups = quotient(lower, group);
   cholmod_sparse G = cholmod_view(groups), A = cholmod_view(lower);
   common_.nmethods = quick ? 0 : 2;  // 0: CHOLMOD's own strategy, AMD and, if need be, METIS
-  common_.method[0].ordering = quick ? CHOLMOD_GIVEN : CHOLMOD_METIS;
+  common_.method[0].ordering = CHOLMOD_METIS;
   common_.method[1].ordering = CHOLMOD_AMD;
   common_.postorder = 1;
   std::vector<int> given = expand(analyzed(cholmod_analyze(&G, &common_)), group);

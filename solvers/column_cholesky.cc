@@ -20,8 +20,7 @@ double* at(double* z, std::ptrdiff_t row) { return z + 4 * row; }
 
 // L y = z.
 template <int width>
-inline __attribute__((always_inline)) void forward(const Panel& panel, const int* row,
-                                                   const double* value, double* z) {
+DEFORMLAB_INLINE void forward(const Panel& panel, const int* row, const double* value, double* z) {
   Four y[width];
   for (int c = 0; c < width; ++c) {
     y[c] = four(at(z, panel.first + c));
@@ -38,8 +37,8 @@ inline __attribute__((always_inline)) void forward(const Panel& panel, const int
 
 // Lᵀ z = y.
 template <int width>
-inline __attribute__((always_inline)) void backward(const Panel& panel, const int* row,
-                                                    const double* triangle, double* z) {
+DEFORMLAB_INLINE void backward(const Panel& panel, const int* row, const double* triangle,
+                               double* z) {
   const double* value = triangle + width * (width + 1) / 2;
   Four y[width];
   for (int c = 0; c < width; ++c) y[c] = four(at(z, panel.first + c));
@@ -102,9 +101,8 @@ void backward_all(const Panel* begin, const Panel* end, const int* rows, const d
 // The rows of a panel under work, four entries each, less what an earlier panel adds to them.
 //   coefficient  width × 4: the earlier panel's entries in the rows of the new one's columns
 template <int width>
-inline __attribute__((always_inline)) void subtract(const int* row, int rows, const double* value,
-                                                    const double* coefficient, const int* place,
-                                                    double* work) {
+DEFORMLAB_INLINE void subtract(const int* row, int rows, const double* value,
+                               const double* coefficient, const int* place, double* work) {
   Four c[width];
   for (int q = 0; q < width; ++q) c[q] = four(coefficient + 4 * q);
   for (int r = 0; r < rows; ++r, value += width) {

@@ -58,13 +58,24 @@ Linearization::Linearization(const Stage& stage)
   aim();
 }
 
-void Linearization::sum_separable() {
-  std::vector<const Part*> parts;
-  std::vector<const Energy*> energies;
+std::vector<const Linearization::Part*> Linearization::parts_where(
+    const std::function<bool(const Part&)>& such) const {
+  std::vector<const Part*> result;
   for (const Part& part : parts_) {
-    if (part.separable()) parts.push_back(&part), energies.push_back(part.energy);
+    if (such(part)) result.push_back(&part);
   }
-  blocks_ = std::make_unique<NodeBlocks>(first_, energies);
+  return result;
+}
+
+NodeBlocks Linearization::blocks_of(const std::vector<const Part*>& parts) const {
+  std::vector<const Energy*> energies;
+  for (const Part* part : parts) energies.push_back(part->energy);
+  return {first_, energies};
+}
+
+void Linearization::sum_separable() {
+  const auto parts = parts_where([](const Part& part) { return part.separable(); });
+  blocks_ = std::make_unique<NodeBlocks>(blocks_of(parts));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     blocks_->add_separable(i, parts[i]->weight, parts[i]->J);
   }
@@ -135,12 +146,8 @@ void Linearization::add_part(const Stage& stage, const WeightedEnergy& term) {
 }
 
 SparseMatrix Linearization::nearest_of_others() const {
-  std::vector<const Part*> parts;
-  std::vector<const Energy*> energies;
-  for (const Part& part : parts_) {
-    if (!part.separable()) parts.push_back(&part), energies.push_back(part.energy);
-  }
-  NodeBlocks blocks(first_, energies);
+  const auto parts = parts_where([](const Part& part) { return !part.separable(); });
+  NodeBlocks blocks = blocks_of(parts);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Part& part = *parts[i];
     if (part.square()) {
@@ -163,12 +170,9 @@ SparseMatrix Linearization::nearest_of_others() const {
 }
 
 SparseMatrix Linearization::structure_where(const std::function<bool(const Part&)>& such) const {
-  std::vector<const Energy*> energies;
-  for (const Part& part : parts_) {
-    if (such(part)) energies.push_back(part.energy);
-  }
-  NodeBlocks blocks(first_, energies);
-  for (std::size_t i = 0; i < energies.size(); ++i) blocks.add_structure(i);
+  const auto parts = parts_where(such);
+  NodeBlocks blocks = blocks_of(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) blocks.add_structure(i);
   return blocks.lower(rank_, free_columns());
 }
 

@@ -107,6 +107,8 @@ class Linearization {
  private:
   void number();
   void add_part(const Stage& stage, const WeightedEnergy& term);
+  std::vector<const Part*> parts_where(const std::function<bool(const Part&)>& such) const;
+  NodeBlocks blocks_of(const std::vector<const Part*>& parts) const;
   void sum_separable();
   double evaluate_others(const Unknowns& x);
   void add(const Part& part, const Eigen::MatrixXd& Jtr, Eigen::VectorXd& sum) const;

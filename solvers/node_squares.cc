@@ -9,9 +9,8 @@ namespace {
 // A block's columns are d entries apart, so four of them from a column's first on bring along what
 // does not belong to it, and is multiplied by 0 in the end.
 template <int d, int count>
-inline __attribute__((always_inline)) void multiply(const int* rank, const double* JtJ,
-                                                    std::ptrdiff_t elements, double weight,
-                                                    const double* p, double* Hp) {
+DEFORMLAB_INLINE void multiply(const int* rank, const double* JtJ, std::ptrdiff_t elements,
+                               double weight, const double* p, double* Hp) {
   constexpr int n = d * count;
   const Four own = {weight, weight, d > 2 ? weight : 0, 0};
   for (std::ptrdiff_t e = 0; e < elements; ++e, rank += count, JtJ += n * n) {

@@ -7,10 +7,8 @@ namespace deformlab {
 namespace {
 
 template <bool derivative>
-inline __attribute__((always_inline)) double sum(const double* a, const double* b,
-                                                 const int* column, std::ptrdiff_t n,
-                                                 std::ptrdiff_t elements, const double* X,
-                                                 double weight, double* G) {
+DEFORMLAB_INLINE double sum(const double* a, const double* b, const int* column, std::ptrdiff_t n,
+                            std::ptrdiff_t elements, const double* X, double weight, double* G) {
   Four E = {};
   for (std::ptrdiff_t e = 0; e < elements; ++e, a += n, b += 4, column += n) {
     Four r = -four(b);
