@@ -1,4 +1,5 @@
-# deformlab_layer(NAME PUBLIC ... PRIVATE ...): the static library of one folder.
+# deformlab_layer(NAME [INTERNAL] PUBLIC ... PRIVATE ...): the static library of one folder.
+# An INTERNAL layer is not installed.
 # Every .cc in it and in its folders is compiled, so a new file needs no line here.
 
 add_library(deformlab_flags INTERFACE)
@@ -17,9 +18,9 @@ if(DEFORMLAB_SANITIZE)
 endif()
 
 function(deformlab_layer name)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "INTERNAL" "" "PUBLIC;PRIVATE" ${ARGN})
   set(root ${PROJECT_SOURCE_DIR}/${name})
-  file(GLOB sources CONFIGURE_DEPENDS ${root}/*.cc ${root}/*/*.cc)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/*.cc)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${root} ${root}/*.h)
   list(TRANSFORM headers PREPEND ${name}/)
   add_library(deformlab_${name} STATIC ${sources})
@@ -40,6 +41,9 @@ function(deformlab_layer name)
   endif()
   target_link_libraries(deformlab_${name} PUBLIC ${ARG_PUBLIC}
                         PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:deformlab_flags>)
+  if(ARG_INTERNAL)
+    return()
+  endif()
   install(TARGETS deformlab_${name} EXPORT deformlabTargets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   foreach(header ${headers})

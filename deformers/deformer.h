@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/handles.h"
-#include "geometry/shape.h"
+#include "geometry/shape/handles.h"
+#include "geometry/shape/shape.h"
 #include "solvers/summary.h"
 
 namespace deformlab {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "energies/constraint.h"
-#include "energies/edge_fit.h"
-#include "energies/fitting.h"
-#include "energies/orientation.h"
-#include "energies/place_constraint.h"
-#include "energies/regularization.h"
-#include "energies/rigid_constraint.h"
-#include "energies/rigid_regularization.h"
-#include "energies/rotation.h"
-#include "energies/similarity.h"
-#include "energies/smoothness.h"
+#include "energies/graph/constraint.h"
+#include "energies/graph/orientation.h"
+#include "energies/graph/regularization.h"
+#include "energies/graph/rigid_constraint.h"
+#include "energies/graph/rigid_regularization.h"
+#include "energies/graph/rotation.h"
+#include "energies/graph/smoothness.h"
+#include "energies/triangle/edge_fit.h"
+#include "energies/triangle/fitting.h"
+#include "energies/triangle/point_constraint.h"
+#include "energies/triangle/similarity.h"
 
 namespace deformlab {
 
@@ -27,7 +27,7 @@ using GraphTerms =
 /// E_rot.
 using RigidTerms = TermList<RigidRegularization, RigidConstraint>;
 
-/// The terms over a triangulation of the plane, held to the same laws; rigid_shape minimises them.
-using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PlaceConstraint>;
+/// The terms over a triangulation of the plane, held to the same laws; arap_2d minimises them.
+using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PointConstraint>;
 
 }  // namespace deformlab

@@ -2,7 +2,7 @@
 
 #include "energies/all.h"
 #include "energies/term_energy.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

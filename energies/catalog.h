@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "energies/energy.h"
-#include "geometry/deformation_graph.h"
+#include "geometry/graph/deformation_graph.h"
 
 namespace deformlab {
 
@@ -20,7 +20,7 @@ struct EnergyInfo {
 /// Every registered term, in the order of the list.
 const std::vector<EnergyInfo>& known_energies();
 
-/// The terms of nodes that are rotations by construction (energies/rotation_vector.h), summed
+/// The terms of nodes that are rotations by construction (energies/graph/rotation_vector.h), summed
 /// likewise, with their weights where none is named. They have the names of those they stand for.
 const std::vector<EnergyInfo>& known_rigid_energies();
 std::unique_ptr<Energy> make_rigid_energy(std::string_view name, const DeformationGraph& graph,

@@ -10,7 +10,7 @@ namespace deformlab {
 
 /// What a solver may rely on. Tests hold every registered term to what it declares.
 enum class Structure {
-  kSeparable,  ///< r = X a − b with one set of coefficients a for all d coordinates: JᵀJ = A ⊗ I_d
+  kKronecker,  ///< r = X a − b with one set of coefficients a for all d coordinates: JᵀJ = A ⊗ I_d
   kLinear,     ///< r = J x − b, J constant
   kNonlinear,  ///< any r, linearized in each Gauss–Newton step
 };
@@ -50,9 +50,9 @@ class Energy {
   virtual void residuals(const Unknowns& x, double* r) const = 0;
   /// The Jacobians of all elements side by side, rows() × (jacobian_columns() · size()).
   virtual void jacobians(const Unknowns& x, double* J) const = 0;
-  /// Of a separable term: a of every element, one column each, jacobian_columns() / d × size().
+  /// Of a Kronecker term: a of every element, one column each, jacobian_columns() / d × size().
   virtual void coefficients(double* a) const = 0;
-  /// And b, d × size(), which is another after `aim`.
+  /// And b, d × size(), which is another after `set_targets`.
   virtual void offsets(double* b) const = 0;
   /// What every element adds to the normal equations: JᵀJ, side by side, each square of
   /// jacobian_columns(), and Jᵀr, jacobian_columns() × size().
@@ -62,7 +62,7 @@ class Energy {
 
   /// What the term is drawn towards has moved: d×p targets, for the terms that have any (the
   /// handles' q_l of Eq. 8).
-  virtual void aim(const Eigen::MatrixXd& targets) = 0;
+  virtual void set_targets(const Eigen::MatrixXd& targets) = 0;
 
   int jacobian_columns() const {
     int columns = 0;

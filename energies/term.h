@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "energies/energy.h"
-#include "geometry/deformation_graph.h"
+#include "geometry/graph/deformation_graph.h"
 
 namespace deformlab {
 
@@ -35,9 +35,9 @@ struct Affine {
 ///   kWeight       its weight where a config names none (else 0: off until a config asks for it)
 ///   kZeroAtRest, kRigidlyInvariant   laws that hold for it, and are then tested
 ///   jacobian      in place of automatic differentiation, which it is tested against
-///   coefficients  the same of a separable term: a of J = aᵀ ⊗ I_d, given the number of nodes
+///   coefficients  the same of a Kronecker term: a of J = aᵀ ⊗ I_d, given the number of nodes
 ///   offset        and b of r = X a − b, where it brings coefficients
-///   aim           takes the handles' targets
+///   set_targets           takes the handles' targets
 template <class Term>
 struct Terms {
   int arity = 1;

@@ -147,9 +147,9 @@ class TermEnergy final : public Energy {
     }
   }
 
-  void aim(const Eigen::MatrixXd& targets) override {
-    if constexpr (requires(Term t) { t.aim(targets); }) {
-      for (Term& element : sum_.elements) element.aim(targets);
+  void set_targets(const Eigen::MatrixXd& targets) override {
+    if constexpr (requires(Term t) { t.set_targets(targets); }) {
+      for (Term& element : sum_.elements) element.set_targets(targets);
     }
   }
 

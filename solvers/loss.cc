@@ -6,7 +6,7 @@
 #include <array>
 #include <sstream>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

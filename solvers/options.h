@@ -8,10 +8,10 @@ namespace deformlab {
 struct SolverOptions {
   std::string method = "gauss_newton";  ///< gauss_newton | ceres
   /// Of gauss_newton: cholmod (the paper's way, a factorization in each step), eigen_ldlt (the same
-  /// without BLAS), separable_cg (conjugate gradients, preconditioned by one small factorization
-  /// for a set of handles: the fastest where terms are separable). Of ceres: dense_qr,
+  /// without BLAS), kronecker_cg (conjugate gradients, preconditioned by one small factorization
+  /// for a set of handles: the fastest where terms are Kronecker). Of ceres: dense_qr,
   /// dense_normal_cholesky, sparse_normal_cholesky, dense_schur, sparse_schur, iterative_schur,
-  /// cgnr. auto: separable_cg where the terms suit it, and cholmod where they do not or where it
+  /// cgnr. auto: kronecker_cg where the terms suit it, and cholmod where they do not or where it
   /// turns out too badly conditioned; sparse_normal_cholesky for ceres.
   std::string linear_solver = "auto";
   /// none: full steps, as in the paper; they can go uphill. line_search: the step is halved until F
@@ -34,9 +34,9 @@ struct SolverOptions {
     visit.choice("method", o.method, {"gauss_newton", "ceres"}, "who minimises");
     visit.choice(
         "linear_solver", o.linear_solver,
-        {"auto", "cholmod", "eigen_ldlt", "separable_cg", "dense_qr", "dense_normal_cholesky",
+        {"auto", "cholmod", "eigen_ldlt", "kronecker_cg", "dense_qr", "dense_normal_cholesky",
          "sparse_normal_cholesky", "dense_schur", "sparse_schur", "iterative_schur", "cgnr"},
-        "gauss_newton: cholmod, eigen_ldlt, separable_cg; ceres: the others; auto: the fastest "
+        "gauss_newton: cholmod, eigen_ldlt, kronecker_cg; ceres: the others; auto: the fastest "
         "that suits the terms");
     visit.choice(
         "globalization", o.globalization, {"none", "line_search", "levenberg", "accelerated"},

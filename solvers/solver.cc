@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "geometry/error.h"
-#include "solvers/ceres_solver.h"
-#include "solvers/gauss_newton.h"
+#include "geometry/core/error.h"
+#include "solvers/ceres/ceres_solver.h"
+#include "solvers/gauss_newton/gauss_newton.h"
 
 namespace deformlab {
 namespace {

@@ -3,19 +3,19 @@
 #include <memory>
 
 #include "solvers/options.h"
-#include "solvers/stage.h"
+#include "solvers/problem.h"
 #include "solvers/summary.h"
 
 namespace deformlab {
 
-/// Minimises stages. `compile` does what depends on the structure alone (which nodes are free,
+/// Minimises problems. `compile` does what depends on the structure alone (which nodes are free,
 /// which elements there are) and is paid once for a set of handles; `solve` may be called any
 /// number of times after it, with targets and state changed in between.
 class Solver {
  public:
   virtual ~Solver() = default;
-  virtual void compile(const Stage& stage) = 0;
-  virtual Summary solve(Stage& stage) = 0;
+  virtual void compile(const Problem& problem) = 0;
+  virtual Summary solve(Problem& problem) = 0;
 };
 
 /// The solver that options.method names. Throws InputError for an option that does not exist or

@@ -13,7 +13,7 @@
 #include "deformers/baselines/manifold.h"
 #include "deformers/baselines/shared.h"
 #include "deformers/handle_checks.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -26,7 +26,7 @@ class CgalArap::Engine {
   virtual ~Engine() = default;
   /// False where the system is singular.
   virtual bool hold(const std::vector<int>& vertices) = 0;
-  virtual void aim(int vertex, const Eigen::Vector3d& target) = 0;
+  virtual void set_targets(int vertex, const Eigen::Vector3d& target) = 0;
   virtual void iterate() = 0;
   virtual void reset() = 0;
   virtual Eigen::Matrix3Xd positions() const = 0;
@@ -58,7 +58,7 @@ class EngineOf final : public CgalArap::Engine {
     for (const int v : vertices) deformation_.insert_control_vertex(Mesh::Vertex_index(v));
     return deformation_.preprocess();
   }
-  void aim(int vertex, const Eigen::Vector3d& p) override {
+  void set_targets(int vertex, const Eigen::Vector3d& p) override {
     deformation_.set_target_position(Mesh::Vertex_index(vertex), Point(p.x(), p.y(), p.z()));
   }
   void iterate() override { deformation_.deform(1, 0); }
@@ -183,13 +183,13 @@ std::vector<int> CgalArap::hold_free_parts() {
   return result;
 }
 
-void CgalArap::aim(const Eigen::Matrix3Xd& targets) {
+void CgalArap::set_targets(const Eigen::Matrix3Xd& targets) {
   for (const int v : handles_.fixed) {
-    if (place_[v] >= 0) engine_->aim(place_[v], rest_.V.col(v));
+    if (place_[v] >= 0) engine_->set_targets(place_[v], rest_.V.col(v));
   }
   for (Eigen::Index l = 0; l < targets.cols(); ++l) {
     const int v = handles_.moved[l];
-    if (place_[v] >= 0) engine_->aim(place_[v], targets.col(l));
+    if (place_[v] >= 0) engine_->set_targets(place_[v], targets.col(l));
   }
 }
 
@@ -235,7 +235,7 @@ Report CgalArap::update(const Eigen::Matrix3Xd& targets) {
     summary.message = "a target is too far away to compute with";
   } else {
     SpokesAndRims state;
-    aim(targets);
+    set_targets(targets);
     W_ = engine_->positions();
     {
       Stopwatch watch(summary.seconds["total"]);

@@ -52,7 +52,7 @@ class CgalArap final : public Deformer {
  private:
   void register_shape();
   std::vector<int> hold_free_parts();
-  void aim(const Eigen::Matrix3Xd& targets);
+  void set_targets(const Eigen::Matrix3Xd& targets);
   std::pair<Status, std::string> iterate(Summary& summary, SpokesAndRims& state);
   void store(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& R);
 

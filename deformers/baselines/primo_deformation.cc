@@ -8,7 +8,7 @@
 #include "deformers/baselines/prism_solver.h"
 #include "deformers/baselines/shared.h"
 #include "deformers/handle_checks.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -138,7 +138,7 @@ std::vector<char> PrimoDeformation::hold_free_parts(const std::vector<Pin>& pins
 }
 
 // targets: 3×#handles, the fixed ones first [unit].
-void PrimoDeformation::aim(const Eigen::Matrix3Xd& targets) {
+void PrimoDeformation::set_targets(const Eigen::Matrix3Xd& targets) {
   for (int i = 0; i < prisms_.T.cols(); ++i) {
     if (!prescribed_[i]) continue;
     Eigen::Matrix3d rest, corners;
@@ -155,7 +155,7 @@ void PrimoDeformation::aim(const Eigen::Matrix3Xd& targets) {
 // A part held at one point may turn about it at no cost. It starts where its handle takes it
 // without turning, which is then a minimum: one handle is a translation.
 void PrimoDeformation::carry_along() {
-  for (const PointHeld& part : at_one_point_) {
+  for (const PointPin& part : at_one_point_) {
     const Pin& pin = equations_->pins()[part.pin];
     const Eigen::Vector3d t = pin.target - motions_.apply(prisms_, pin.i, pin.p);
     for (const int i : part.prisms) motions_.c.col(i) += t;
@@ -169,7 +169,7 @@ Report PrimoDeformation::update(const Eigen::Matrix3Xd& targets) {
   const RigidMotions before = motions_;
   Eigen::Matrix3Xd all(3, fixed + targets.cols());
   all << V_(Eigen::all, handles_.fixed), targets / unit_;
-  aim(all);
+  set_targets(all);
   carry_along();
   report.solve = minimize(*equations_, motions_, options_.epsilon, options_.max_iterations);
   if (report.solve.status == Status::kFailed) motions_ = before;

@@ -61,7 +61,7 @@ class PrimoDeformation final : public Deformer {
   double length_unit() const { return unit_; }              ///< mean side of a triangle [length]
 
  private:
-  struct PointHeld {
+  struct PointPin {
     std::vector<int> prisms;
     int pin;  // any: they are at one place
   };
@@ -69,7 +69,7 @@ class PrimoDeformation final : public Deformer {
   void choose_prescribed();
   std::vector<Pin> make_pins() const;
   std::vector<char> hold_free_parts(const std::vector<Pin>& pins);
-  void aim(const Eigen::Matrix3Xd& targets);
+  void set_targets(const Eigen::Matrix3Xd& targets);
   void carry_along();
   void deform(const Eigen::Matrix3Xd& targets);
 
@@ -82,7 +82,7 @@ class PrimoDeformation final : public Deformer {
   Handles handles_;
   std::vector<int> handle_of_;  // of each vertex the column of the targets, or −1
   std::vector<char> prescribed_, on_prescribed_;  // of each prism, of each vertex
-  std::vector<PointHeld> at_one_point_;
+  std::vector<PointPin> at_one_point_;
   std::unique_ptr<PrismEquations> equations_;
   std::map<std::string, double> seconds_;
   std::vector<std::string> registration_notes_, compilation_notes_;

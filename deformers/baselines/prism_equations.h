@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "deformers/baselines/prisms.h"
-#include "solvers/linear_solver.h"
+#include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "solvers/blas.h"
+#include "solvers/linear/blas.h"
 #include "solvers/solver.h"
 #include "solvers/stopwatch.h"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 
 namespace deformlab {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "deformers/handle_checks.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {

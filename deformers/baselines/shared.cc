@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/deformation_graph.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
+#include "geometry/graph/deformation_graph.h"
 
 namespace deformlab::baselines {
 namespace {

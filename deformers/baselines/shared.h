@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/handles.h"
-#include "geometry/shape.h"
+#include "geometry/shape/handles.h"
+#include "geometry/shape/shape.h"
 
 /// What the methods to compare with have in common.
 namespace deformlab::baselines {

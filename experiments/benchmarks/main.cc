@@ -17,9 +17,10 @@
 #include "experiments/benchmarks/growth.h"
 #include "experiments/benchmarks/rigid_comparison.h"
 #include "experiments/benchmarks/scaling.h"
-#include "experiments/environment.h"
-#include "experiments/results.h"
-#include "geometry/error.h"
+#include "experiments/commands/environment.h"
+#include "experiments/commands/results.h"
+#include "geometry/core/error.h"
+#include "geometry/core/files.h"
 
 DEFINE_string(comparison, "auto",
               "with the peers: yes, no, rigid (drawings only), or auto: unless a filter is given");
@@ -165,12 +166,12 @@ int run(bool filtered) {
   nlohmann::ordered_json json{{"environment", environment()}};
   if (asked(FLAGS_duels)) speeds = duel_all(json);
   if (asked(FLAGS_scaling)) scales = scale_all(json);
-  if (!FLAGS_json.empty()) write_text(FLAGS_json, json.dump(2) + "\n");
+  if (!FLAGS_json.empty()) write_file(FLAGS_json, json.dump(2) + "\n");
   const bool all = asked(FLAGS_comparison);
   if (all || FLAGS_comparison == "rigid") rigid = compare_rigid_shapes(holds);
   if (all) comparisons = compare_all(holds);
   if (!FLAGS_report.empty())
-    write_text(FLAGS_report, report(figures, comparisons, rigid, speeds, scales));
+    write_file(FLAGS_report, report(figures, comparisons, rigid, speeds, scales));
   return holds ? 0 : 1;
 }
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/sampling.h"
+#include "geometry/graph/sampling.h"
 
 namespace deformlab {
 namespace {

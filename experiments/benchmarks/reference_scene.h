@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "deformers/embedded_deformation.h"
+#include "deformers/embedded/embedded_deformation.h"
 
 namespace deformlab {
 

@@ -11,9 +11,9 @@
 #include <cstdio>
 #include <numbers>
 
-#include "deformers/rigid/registered_mesh.h"
-#include "deformers/two_step.h"
-#include "geometry/triangulation.h"
+#include "deformers/arap_2d/registered_mesh.h"
+#include "deformers/arap_2d/two_step.h"
+#include "geometry/plane/triangulation.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -97,7 +97,7 @@ class Pair {
         cgal_mesh_(to_cgal(mesh)),
         theirs_(cgal_mesh_) {
     for (int i = 0; i < 3; ++i) {
-      places_.push_back(Place::at_vertex(ends_[i]));
+      places_.push_back(BarycentricPoint::at_vertex(ends_[i]));
       targets_.col(i) = mesh.V.col(ends_[i]);
     }
     targets_.col(0) += Eigen::Vector2d(20, 35);
@@ -108,7 +108,7 @@ class Pair {
     const auto keep = [](std::vector<double>& to, double seconds) { to.push_back(1e3 * seconds); };
     keep(s.compile, seconds_of([&] { ours_.compile(places_); }));
     keep(s.preprocess, seconds_of([&] { preprocess(); }));
-    RigidSteps::Seconds phases;
+    TwoStepSolver::Seconds phases;
     int calls = 0;
     keep(s.update, seconds_of([&] {
            ours_.update(targets_);
@@ -137,7 +137,7 @@ class Pair {
   }
 
   std::array<int, 3> ends_;
-  std::vector<Place> places_;
+  std::vector<BarycentricPoint> places_;
   Eigen::Matrix2Xd targets_ = Eigen::Matrix2Xd(2, 3);
   Eigen::VectorXd weights_;
   TwoStep ours_;

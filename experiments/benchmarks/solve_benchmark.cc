@@ -61,10 +61,10 @@ void sizes(benchmark::internal::Benchmark* b) {
 }
 
 BENCHMARK_CAPTURE(step, gauss_newton, "gauss_newton", "cholmod")->Apply(sizes);
-BENCHMARK_CAPTURE(step, separable_cg, "gauss_newton", "separable_cg")->Apply(sizes);
+BENCHMARK_CAPTURE(step, kronecker_cg, "gauss_newton", "kronecker_cg")->Apply(sizes);
 BENCHMARK_CAPTURE(step, ceres, "ceres", "auto")->Apply(sizes);
 BENCHMARK_CAPTURE(whole_solve, gauss_newton, "gauss_newton", "cholmod")->Apply(sizes);
-BENCHMARK_CAPTURE(whole_solve, separable_cg, "gauss_newton", "separable_cg")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, kronecker_cg, "gauss_newton", "kronecker_cg")->Apply(sizes);
 BENCHMARK_CAPTURE(whole_solve, ceres, "ceres", "auto")->Apply(sizes);
 
 }  // namespace

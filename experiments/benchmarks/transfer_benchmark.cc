@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "experiments/benchmarks/reference_scene.h"
-#include "geometry/sampling.h"
+#include "geometry/graph/sampling.h"
 
 namespace deformlab {
 namespace {

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# layering.sh ROOT: geometry <- energies <- solvers <- deformers <- experiments.
+# layering.sh ROOT: geometry <- energies <- solvers <- deformers <- render <- drawing <- experiments.
 # Fails and names each #include of a layer to the right of the file's own.
 set -euo pipefail
 
 root=${1:?usage: layering.sh ROOT}
-layers=(geometry energies solvers deformers experiments)
+layers=(geometry energies solvers deformers render drawing experiments)
 status=0
 above=
 for ((i = ${#layers[@]} - 1; i >= 0; i--)); do

@@ -5,7 +5,7 @@ set -euo pipefail
 check=$(dirname -- "${BASH_SOURCE[0]}")/layering.sh
 root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
-mkdir "$root"/{geometry,energies,solvers,deformers,experiments}
+mkdir "$root"/{geometry,energies,solvers,deformers,render,drawing,experiments}
 
 expect() {  # expect pass|reject FILE INCLUDE
   printf '#include %s\n' "$3" >"$root/$2"
@@ -15,11 +15,14 @@ expect() {  # expect pass|reject FILE INCLUDE
 }
 
 expect pass geometry/a.h '<Eigen/Core>'
-expect pass energies/a.h '"geometry/shape.h"'
+expect pass energies/a.h '"geometry/shape/shape.h"'
 expect pass experiments/a.cc '"deformers/deformer.h"'
-expect pass solvers/a.cc '"solvers/stage.h"'
+expect pass solvers/a.cc '"solvers/problem.h"'
 expect reject geometry/a.h '"energies/energy.h"'
-expect reject geometry/a.cc '<experiments/config.h>'
+expect reject geometry/a.cc '<experiments/config/config.h>'
 expect reject energies/a.cc '"../solvers/stage.h"'
 expect reject solvers/a.h '  "deformers/deformer.h"'
-expect reject deformers/a.cc '"experiments/config.h"'
+expect pass drawing/a.cc '"render/image.h"'
+expect reject render/a.h '"drawing/drawing.h"'
+expect reject drawing/a.cc '"experiments/commands/results.h"'
+expect reject deformers/a.cc '"experiments/config/config.h"'

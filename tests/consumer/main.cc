@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "deformers/embedded_deformation.h"
+#include "deformers/embedded/embedded_deformation.h"
 
 // Bends a bar of points: enough to call every library that deformlab needs behind it.
 int main() {

@@ -1,9 +1,9 @@
-#include "deformers/adaptive_deformation.h"
+#include "deformers/embedded/adaptive_deformation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -1,12 +1,12 @@
-#include "deformers/animated_deformation.h"
+#include "deformers/embedded/animated_deformation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
-#include "deformers/stream_deformation.h"
-#include "geometry/error.h"
+#include "deformers/embedded/stream_deformation.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -162,7 +162,7 @@ TEST(StreamDeformation, JoinsEachSampleToThePreviousAndTheNext) {
 // steps in a metric that knows of rotations leave alone what no handle asks for.
 EmbeddedDeformationOptions for_a_chain() {
   EmbeddedDeformationOptions o;
-  o.solver.linear_solver = "separable_cg";
+  o.solver.linear_solver = "kronecker_cg";
   return o;
 }
 

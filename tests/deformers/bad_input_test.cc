@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "deformers/embedded_deformation.h"
-#include "geometry/error.h"
+#include "deformers/embedded/embedded_deformation.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -10,7 +10,7 @@
 #include "deformers/baselines/cgal_arap.h"
 #include "deformers/baselines/primo_deformation.h"
 #include "deformers/baselines/rbf_deformation.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

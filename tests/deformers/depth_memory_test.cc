@@ -1,4 +1,4 @@
-#include "deformers/depth_memory.h"
+#include "deformers/depth/depth_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "deformers/depth_order.h"
+#include "deformers/depth/depth_order.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/error.h"
-#include "geometry/overlap_measure.h"
+#include "geometry/core/error.h"
+#include "geometry/plane/overlap/overlap_measure.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {

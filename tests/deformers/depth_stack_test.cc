@@ -1,4 +1,4 @@
-#include "deformers/depth_stack.h"
+#include "deformers/depth/depth_stack.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

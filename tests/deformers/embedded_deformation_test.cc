@@ -1,4 +1,4 @@
-#include "deformers/embedded_deformation.h"
+#include "deformers/embedded/embedded_deformation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "geometry/sampling.h"
+#include "geometry/graph/sampling.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab::test {
 namespace {

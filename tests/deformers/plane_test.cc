@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "deformers/embedded_deformation.h"
-#include "geometry/error.h"
+#include "deformers/embedded/embedded_deformation.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 // Embedded deformation with d = 2: the same terms, six unknowns a node.
@@ -32,7 +32,7 @@ TEST(InThePlane, HandlesAtAnyPlaceCarryTheShapeRigidly) {
   const Handles handles = three_places();
   const Eigen::Matrix3d Q = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).matrix();
   const Eigen::Vector3d c(0.3, -0.2, 0);
-  for (const char* linear_solver : {"cholmod", "eigen_ldlt", "separable_cg"}) {
+  for (const char* linear_solver : {"cholmod", "eigen_ldlt", "kronecker_cg"}) {
     EmbeddedDeformation deformer(shape, in_the_plane(linear_solver));
     deformer.compile(handles);
     const Report report = deformer.update((Q * handles.points).colwise() + c);

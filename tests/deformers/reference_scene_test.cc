@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "deformers/embedded_deformation.h"
+#include "deformers/embedded/embedded_deformation.h"
 #include "tests/support/shapes.h"
 
 // A scene like the one that solvers are measured on, with sides of several lengths in its own unit:
@@ -52,7 +52,7 @@ TEST_P(Reference, TheDefaultArrives) {
   const Summary halved = solve(scene(), nodes(), "1", "cholmod", "line_search");
   const Summary damped = solve(scene(), nodes(), "1", "cholmod", "levenberg");
   const std::size_t best = std::min(halved.iterations.size(), damped.iterations.size());
-  for (const char* solver : {"cholmod", "separable_cg"}) {
+  for (const char* solver : {"cholmod", "kronecker_cg"}) {
     const Summary s = solve(scene(), nodes(), "1", solver, SolverOptions{}.globalization);
     EXPECT_EQ(s.status, Status::kConverged) << solver;
     EXPECT_LE(s.iterations.size(), best + 2) << solver;
@@ -69,7 +69,7 @@ TEST(ReferenceScene, ConjugateGradientsFindTheMinimumOfAFactorization) {
   for (const int nodes : {221, 425, 1048}) {
     const Summary direct = solve(scene, nodes, "mean_edge", "cholmod", "accelerated");
     const Summary s = solve(scene, nodes, "mean_edge", "auto", "accelerated");
-    EXPECT_EQ(s.linear_solver, "separable_cg");
+    EXPECT_EQ(s.linear_solver, "kronecker_cg");
     EXPECT_NEAR(s.final_cost, direct.final_cost, 1e-6 * direct.final_cost) << nodes;
   }
 }
@@ -79,7 +79,7 @@ TEST(ReferenceScene, ConjugateGradientsFindTheMinimumOfAFactorization) {
 TEST(ReferenceScene, TheBytesDoNotDependOnTheThreads) {
   const Scene scene = lifted_plane(1);
   for (const auto& [method, linear_solver] :
-       {std::pair("gauss_newton", "separable_cg"), std::pair("gauss_newton", "cholmod"),
+       {std::pair("gauss_newton", "kronecker_cg"), std::pair("gauss_newton", "cholmod"),
         std::pair("ceres", "auto")}) {
     EmbeddedDeformationOptions options;
     options.graph.nodes = 1500;

@@ -1,4 +1,4 @@
-#include "deformers/reflections.h"
+#include "deformers/embedded/reflections.h"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "deformers/embedded_deformation.h"
-#include "geometry/error.h"
+#include "deformers/embedded/embedded_deformation.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -1,12 +1,11 @@
-#include "deformers/rigid_shape.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "geometry/error.h"
-#include "tests/support/problems.h"
+#include "deformers/arap_2d/arap_2d.h"
+#include "geometry/core/error.h"
+#include "tests/support/samples.h"
 
 // The deformer around the two steps: handles in, a shape and a report out.
 namespace deformlab::test {
@@ -20,8 +19,8 @@ const Triangulation& sheet() {
   return mesh;
 }
 
-RigidShapeOptions with(const char* steps) {
-  RigidShapeOptions options;
+Arap2dOptions with(const char* steps) {
+  Arap2dOptions options;
   options.steps = steps;
   return options;
 }
@@ -50,9 +49,9 @@ std::string refusal(const std::function<void()>& action) {
   return "";
 }
 
-TEST(RigidShape, MovesWhatIsMovedAndKeepsWhatIsFixed) {
+TEST(Arap2d, MovesWhatIsMovedAndKeepsWhatIsFixed) {
   for (const char* steps : {"closed_form", "stages"}) {
-    RigidShape deformer(sheet(), {}, with(steps));
+    Arap2d deformer(sheet(), {}, with(steps));
     deformer.compile(corner_and_place());
     const Report report = deformer.update(targets());
     EXPECT_EQ(report.solve.status, Status::kConverged);
@@ -68,9 +67,9 @@ TEST(RigidShape, MovesWhatIsMovedAndKeepsWhatIsFixed) {
   }
 }
 
-TEST(RigidShape, BothWaysComeToOneShape) {
-  RigidShape closed_form(sheet(), {}, with("closed_form")), stages(sheet(), {}, with("stages"));
-  for (RigidShape* deformer : {&closed_form, &stages}) {
+TEST(Arap2d, BothWaysComeToOneShape) {
+  Arap2d closed_form(sheet(), {}, with("closed_form")), stages(sheet(), {}, with("stages"));
+  for (Arap2d* deformer : {&closed_form, &stages}) {
     deformer->compile(corner_and_place());
     deformer->update(targets());
   }
@@ -79,8 +78,8 @@ TEST(RigidShape, BothWaysComeToOneShape) {
   EXPECT_LT((closed_form.fitted() - stages.fitted()).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TEST(RigidShape, TheResultDoesNotDependOnTheWay) {
-  RigidShape dragged(sheet(), {}, {}), at_once(sheet(), {}, {});
+TEST(Arap2d, TheResultDoesNotDependOnTheWay) {
+  Arap2d dragged(sheet(), {}, {}), at_once(sheet(), {}, {});
   dragged.compile(corner_and_place());
   at_once.compile(corner_and_place());
   Eigen::Matrix3Xd rest(3, 2);
@@ -90,8 +89,8 @@ TEST(RigidShape, TheResultDoesNotDependOnTheWay) {
   EXPECT_LT((dragged.deformed().V - at_once.deformed().V).norm(), 1e-11);
 }
 
-TEST(RigidShape, ResetsToRestAndKeepsItsHandles) {
-  RigidShape deformer(sheet(), {}, {});
+TEST(Arap2d, ResetsToRestAndKeepsItsHandles) {
+  Arap2d deformer(sheet(), {}, {});
   deformer.compile(corner_and_place());
   const Report first = deformer.update(targets());
   const Eigen::Matrix3Xd V = deformer.deformed().V;
@@ -101,12 +100,12 @@ TEST(RigidShape, ResetsToRestAndKeepsItsHandles) {
   EXPECT_EQ(deformer.deformed().V, V);
 }
 
-TEST(RigidShape, TakesPlacesOnTheBoundaryAndAtCorners) {
+TEST(Arap2d, TakesPlacesOnTheBoundaryAndAtCorners) {
   Handles handles;
   const Eigen::Vector2d a = sheet().V.col(0), b = sheet().V.col(1), c = sheet().V.col(40);
   handles.points.resize(3, 3);
   handles.points << a, 0.3 * a + 0.7 * b, c, 0, 0, 0;
-  RigidShape deformer(sheet(), {}, {});
+  Arap2d deformer(sheet(), {}, {});
   deformer.compile(handles);
   Eigen::Matrix3Xd to = handles.points;
   to.col(2).x() += 1;
@@ -114,8 +113,8 @@ TEST(RigidShape, TakesPlacesOnTheBoundaryAndAtCorners) {
   EXPECT_LT((deformer.deformed().V.col(40).head<2>() - to.col(2).head<2>()).norm(), 1e-12);
 }
 
-TEST(RigidShape, SaysWhereAHandleOutsideCouldBe) {
-  RigidShape deformer(sheet(), {}, {});
+TEST(Arap2d, SaysWhereAHandleOutsideCouldBe) {
+  Arap2d deformer(sheet(), {}, {});
   Handles handles;
   handles.points = Eigen::Vector3d(1.5, -2, 0);
   EXPECT_THAT(refusal([&] { deformer.compile(handles); }),
@@ -124,8 +123,8 @@ TEST(RigidShape, SaysWhereAHandleOutsideCouldBe) {
   EXPECT_NE(refusal([&] { deformer.compile(handles); }), "");
 }
 
-TEST(RigidShape, RefusesBadHandlesTargetsAndOptions) {
-  RigidShape deformer(sheet(), {}, {});
+TEST(Arap2d, RefusesBadHandlesTargetsAndOptions) {
+  Arap2d deformer(sheet(), {}, {});
   EXPECT_THAT(refusal([&] { deformer.compile({.fixed = {}, .moved = {81}}); }), HasSubstr("81"));
   EXPECT_THAT(refusal([&] { deformer.compile({.fixed = {3}, .moved = {3}}); }), HasSubstr("both"));
   deformer.compile(corner_and_place());
@@ -133,14 +132,14 @@ TEST(RigidShape, RefusesBadHandlesTargetsAndOptions) {
   Eigen::Matrix3Xd endless = targets();
   endless(0, 1) = INFINITY;
   EXPECT_THAT(refusal([&] { deformer.update(endless); }), HasSubstr("finite"));
-  RigidShapeOptions options;
+  Arap2dOptions options;
   options.refinements = -1;
-  EXPECT_THAT(refusal([&] { RigidShape(sheet(), {}, options); }), HasSubstr("-1"));
-  EXPECT_THAT(refusal([&] { RigidShape(sheet(), {}, with("magic")); }), HasSubstr("magic"));
+  EXPECT_THAT(refusal([&] { Arap2d(sheet(), {}, options); }), HasSubstr("-1"));
+  EXPECT_THAT(refusal([&] { Arap2d(sheet(), {}, with("magic")); }), HasSubstr("magic"));
 }
 
-TEST(RigidShape, TargetsTooFarAwayAreAFailureThatIsReported) {
-  RigidShape deformer(sheet(), {}, {});
+TEST(Arap2d, TargetsTooFarAwayAreAFailureThatIsReported) {
+  Arap2d deformer(sheet(), {}, {});
   deformer.compile(corner_and_place());
   deformer.update(targets());
   const Eigen::Matrix3Xd V = deformer.deformed().V;

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "deformers/embedded_deformation.h"
-#include "geometry/error.h"
+#include "deformers/embedded/embedded_deformation.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -72,7 +72,7 @@ TEST(RotationModel, RigidNodesAreFactored) {
   target(1, 0) += 0.2;
   const Report report = deformer.update(target);
   EXPECT_EQ(report.solve.linear_solver, "cholmod");
-  EXPECT_EQ(report.solve.choice, "no term is separable");
+  EXPECT_EQ(report.solve.choice, "no term is Kronecker");
 }
 
 TEST(RotationModel, RigidNodesFollowADragInSmallStepsPastHalfATurn) {
@@ -107,8 +107,8 @@ void expect_refused(const EmbeddedDeformationOptions& options, const std::string
 
 TEST(RotationModel, RefusesWhatDoesNotGoWithIt) {
   EmbeddedDeformationOptions options = rigid();
-  options.solver.linear_solver = "separable_cg";
-  expect_refused(options, "none is separable; use auto");
+  options.solver.linear_solver = "kronecker_cg";
+  expect_refused(options, "none is Kronecker; use auto");
   options = rigid();
   options.rotation_model = "quaternion";
   expect_refused(options, "unknown rotation_model 'quaternion'; known: affine, rigid");

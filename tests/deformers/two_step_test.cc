@@ -1,4 +1,4 @@
-#include "deformers/two_step.h"
+#include "deformers/arap_2d/two_step.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 #include <numeric>
 
-#include "deformers/staged_steps.h"
-#include "geometry/error.h"
+#include "deformers/arap_2d/staged_steps.h"
+#include "geometry/core/error.h"
 #include "tests/support/heap_calls.h"
-#include "tests/support/problems.h"
+#include "tests/support/samples.h"
 
 // The closed form, held against the same steps as stages of both general solvers, and the laws that
 // it keeps.
@@ -32,14 +32,14 @@ Eigen::VectorXd painted(const Triangulation& mesh, double weight) {
   return weights;
 }
 
-Eigen::Matrix2Xd at_rest(const Triangulation& mesh, const std::vector<Place>& places) {
+Eigen::Matrix2Xd at_rest(const Triangulation& mesh, const std::vector<BarycentricPoint>& places) {
   Eigen::Matrix2Xd result(2, std::ssize(places));
   for (int i = 0; i < std::ssize(places); ++i) result.col(i) = places[i].at(mesh.V);
   return result;
 }
 
 // Somewhere else, each place in a way of its own.
-Eigen::Matrix2Xd moved(const Triangulation& mesh, const std::vector<Place>& places) {
+Eigen::Matrix2Xd moved(const Triangulation& mesh, const std::vector<BarycentricPoint>& places) {
   Eigen::Matrix2Xd targets = at_rest(mesh, places);
   for (Eigen::Index i = 0; i < targets.cols(); ++i) {
     const auto t = static_cast<double>(i);
@@ -51,25 +51,27 @@ Eigen::Matrix2Xd moved(const Triangulation& mesh, const std::vector<Place>& plac
 // What users hold shapes by.
 struct Case {
   const char* name;
-  std::vector<Place> places;
+  std::vector<BarycentricPoint> places;
 };
 
 std::vector<Case> cases(const Triangulation& mesh) {
   const auto in = [&](int f, double a, double b) {
-    return Place{mesh.F.col(f), {a, b, 1 - a - b}};
+    return BarycentricPoint{mesh.F.col(f), {a, b, 1 - a - b}};
   };
-  std::vector<Place> crowd;
-  for (int v = 0; v < 20; ++v) crowd.push_back(Place::at_vertex(6 * v + v % 3));
-  std::vector<Place> mixed = crowd;
+  std::vector<BarycentricPoint> crowd;
+  for (int v = 0; v < 20; ++v) crowd.push_back(BarycentricPoint::at_vertex(6 * v + v % 3));
+  std::vector<BarycentricPoint> mixed = crowd;
   for (const int f : {30, 70, 150}) mixed.push_back(in(f, 0.3, 0.2));
   return {
-      {"two_vertices", {Place::at_vertex(0), Place::at_vertex(120)}},
-      {"three_vertices", {Place::at_vertex(0), Place::at_vertex(60), Place::at_vertex(117)}},
+      {"two_vertices", {BarycentricPoint::at_vertex(0), BarycentricPoint::at_vertex(120)}},
+      {"three_vertices",
+       {BarycentricPoint::at_vertex(0), BarycentricPoint::at_vertex(60),
+        BarycentricPoint::at_vertex(117)}},
       {"places", {in(3, 0.2, 0.5), in(100, 0.1, 0.1), in(190, 0.6, 0.3)}},
-      {"vertex_and_place", {Place::at_vertex(5), in(150, 0.25, 0.25)}},
+      {"vertex_and_place", {BarycentricPoint::at_vertex(5), in(150, 0.25, 0.25)}},
       {"one_triangle", {in(80, 0.8, 0.1), in(80, 0.1, 0.8), in(10, 0.3, 0.3)}},
       {"neighbours", {in(80, 0.8, 0.1), in(81, 0.2, 0.3), in(83, 0.4, 0.4), in(4, 0.3, 0.3)}},
-      {"on_an_edge", {in(40, 0, 0.4), in(120, 0.5, 0.5), Place::at_vertex(10)}},
+      {"on_an_edge", {in(40, 0, 0.4), in(120, 0.5, 0.5), BarycentricPoint::at_vertex(10)}},
       {"twenty_vertices", crowd},
       {"many_of_both", mixed},
   };
@@ -157,7 +159,8 @@ TEST(TwoStep, AMotionOfEverythingAndAnotherUnitChangeNothingElse) {
 // Of two handles step one is exactly a similarity (section 7, Figure 19, has the consequence).
 TEST(TwoStep, StepOneOfTwoHandlesIsASimilarity) {
   const Triangulation mesh = sheet();
-  const std::vector<Place> places{Place::at_vertex(0), Place::at_vertex(120)};
+  const std::vector<BarycentricPoint> places{BarycentricPoint::at_vertex(0),
+                                             BarycentricPoint::at_vertex(120)};
   TwoStep steps(mesh, ones(mesh));
   steps.compile(places);
   const Eigen::Matrix2Xd p = at_rest(mesh, places), q = moved(mesh, places);
@@ -178,8 +181,9 @@ TEST(TwoStep, WithoutAHandleItRestsAndOneMovesItAsItIs) {
   steps.update(Eigen::Matrix2Xd(2, 0));
   EXPECT_EQ(steps.positions(), mesh.V);
   EXPECT_THAT(steps.notes(), ::testing::ElementsAre(HasSubstr("has no handle")));
-  const Place place{mesh.F.col(60), {0.2, 0.3, 0.5}};
-  const std::vector<std::vector<Place>> one_place{{Place::at_vertex(40)}, {place}, {place, place}};
+  const BarycentricPoint place{mesh.F.col(60), {0.2, 0.3, 0.5}};
+  const std::vector<std::vector<BarycentricPoint>> one_place{
+      {BarycentricPoint::at_vertex(40)}, {place}, {place, place}};
   for (const auto& places : one_place) {
     steps.compile(places);
     steps.update(at_rest(mesh, places).colwise() + Eigen::Vector2d(1, 2));
@@ -208,8 +212,8 @@ TEST(TwoStep, HandlesThatCollapseToAPointComeBack) {
 
 TEST(TwoStep, HandlesInOnePlaceWithSeveralTargetsAreMetOnTheMean) {
   const Triangulation mesh = sheet();
-  const Place place{mesh.F.col(60), {0.2, 0.3, 0.5}};
-  const std::vector<Place> places{place, place, Place::at_vertex(0)};
+  const BarycentricPoint place{mesh.F.col(60), {0.2, 0.3, 0.5}};
+  const std::vector<BarycentricPoint> places{place, place, BarycentricPoint::at_vertex(0)};
   TwoStep steps(mesh, ones(mesh));
   steps.compile(places);
   Eigen::Matrix2Xd targets = at_rest(mesh, places);
@@ -233,7 +237,8 @@ Triangulation two_sheets() {
 TEST(TwoStep, APartWithoutAHandleStays) {
   const Triangulation mesh = two_sheets();
   const Eigen::Index n = mesh.V.cols() / 2;
-  const std::vector<Place> places{Place::at_vertex(3), Place::at_vertex(100)};
+  const std::vector<BarycentricPoint> places{BarycentricPoint::at_vertex(3),
+                                             BarycentricPoint::at_vertex(100)};
   TwoStep steps(mesh, ones(mesh));
   steps.compile(places);
   steps.update(moved(mesh, places));
@@ -244,9 +249,10 @@ TEST(TwoStep, APartWithoutAHandleStays) {
 
 TEST(TwoStep, PartsDoNotFeelEachOther) {
   const Triangulation mesh = two_sheets();
-  const std::vector<Place> left{Place::at_vertex(3), Place::at_vertex(100)};
-  std::vector<Place> both = left;
-  for (const int v : {130, 180, 230}) both.push_back(Place::at_vertex(v));
+  const std::vector<BarycentricPoint> left{BarycentricPoint::at_vertex(3),
+                                           BarycentricPoint::at_vertex(100)};
+  std::vector<BarycentricPoint> both = left;
+  for (const int v : {130, 180, 230}) both.push_back(BarycentricPoint::at_vertex(v));
   TwoStep one(mesh, ones(mesh)), two(mesh, ones(mesh));
   one.compile(left);
   two.compile(both);
@@ -261,11 +267,12 @@ TEST(TwoStep, PartsThatMeetInAVertexHangTogether) {
   Triangulation mesh{Eigen::Matrix2Xd(2, 7), Eigen::Matrix3Xi(3, 4)};
   mesh.V << 0, 1, 1, 0, 2, 2, 1, 0, 0, 1, 1, 1, 2, 2;
   mesh.F << 0, 0, 2, 2, 1, 2, 4, 5, 2, 3, 5, 6;
-  const std::vector<Place> places{Place::at_vertex(0), Place::at_vertex(3)};
+  const std::vector<BarycentricPoint> places{BarycentricPoint::at_vertex(0),
+                                             BarycentricPoint::at_vertex(3)};
   TwoStep steps(mesh, ones(mesh));
   StagedSteps stages(mesh, ones(mesh), 0, solver("gauss_newton"));
   const Eigen::Matrix2d Q = Eigen::Rotation2Dd(0.8).toRotationMatrix();
-  for (RigidSteps* both : std::initializer_list<RigidSteps*>{&steps, &stages}) {
+  for (TwoStepSolver* both : std::initializer_list<TwoStepSolver*>{&steps, &stages}) {
     both->compile(places);
     both->update(Q * at_rest(mesh, places));
     EXPECT_LT((both->positions() - Q * mesh.V).cwiseAbs().maxCoeff(), 1e-8);
@@ -296,7 +303,7 @@ TEST(TwoStep, RefinementsLowerTheEnergyEachTime) {
   for (const int refinements : {0, 1, 3, 10, 40}) {
     TwoStep steps(mesh, ones(mesh), refinements);
     StagedSteps stages(mesh, ones(mesh), refinements, solver("gauss_newton"));
-    for (RigidSteps* both : std::initializer_list<RigidSteps*>{&steps, &stages}) {
+    for (TwoStepSolver* both : std::initializer_list<TwoStepSolver*>{&steps, &stages}) {
       both->compile(places);
       both->update(moved(mesh, places));
     }

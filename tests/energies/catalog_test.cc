@@ -4,17 +4,17 @@
 #include <gtest/gtest.h>
 
 #include "energies/all.h"
-#include "geometry/error.h"
-#include "tests/support/problems.h"
+#include "geometry/core/error.h"
+#include "tests/support/samples.h"
 
 namespace deformlab {
 namespace {
 
 TEST(Catalog, MakesEveryTermThatItNames) {
-  const auto problem = test::random_problem(10);
+  const auto sample = test::random_sample(10);
   ASSERT_FALSE(known_energies().empty());
   for (const EnergyInfo& info : known_energies()) {
-    const auto energy = make_energy(info.name, problem.graph, problem.handles);
+    const auto energy = make_energy(info.name, sample.graph, sample.handles);
     EXPECT_EQ(energy->name(), info.name);
     EXPECT_EQ(energy->structure(), info.structure);
     EXPECT_GE(info.default_weight, 0);
@@ -28,9 +28,9 @@ TEST(Catalog, WeighsTheTermsOfEmbeddedDeformationAsThePaperDoes) {
 }
 
 TEST(Catalog, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
-  const auto problem = test::random_problem(10);
+  const auto sample = test::random_sample(10);
   try {
-    make_energy("rotaton", problem.graph, problem.handles);
+    make_energy("rotaton", sample.graph, sample.handles);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("'rotaton'"));
@@ -58,13 +58,13 @@ TEST(RegularizationTerm, IsEquation7) {
 }
 
 TEST(ConstraintTerm, MeasuresTheWayToTheTarget) {
-  const auto problem = test::random_problem(10);
-  const auto energy = make_energy("constraint", problem.graph, problem.handles);
+  const auto sample = test::random_sample(10);
+  const auto energy = make_energy("constraint", sample.graph, sample.handles);
   const Eigen::Vector3d way(1, -2, 0.5);
-  energy->aim(problem.handles.v.colwise() + way);
+  energy->set_targets(sample.handles.v.colwise() + way);
   Eigen::Matrix3Xd r(3, energy->size());
-  energy->residuals(problem.rest(), r.data());
-  EXPECT_EQ(energy->size(), problem.handles.v.cols());
+  energy->residuals(sample.rest(), r.data());
+  EXPECT_EQ(energy->size(), sample.handles.v.cols());
   EXPECT_LT((r.colwise() + way).cwiseAbs().maxCoeff(), 1e-12);
 }
 

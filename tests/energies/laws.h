@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "energies/term_energy.h"
-#include "tests/support/problems.h"
+#include "tests/support/samples.h"
 #include "tests/support/sparse_system.h"
 
 // The laws that every term is held to. Each is a function, so that a test can show it a term that
@@ -23,32 +23,32 @@ using ::testing::AssertionSuccess;
 
 /// Any term's sum, whatever its `over` takes.
 template <class Term>
-Terms<Term> sum_over(const Problem& problem) {
-  if constexpr (requires { Term::over(problem.graph, problem.handles); }) {
-    return Term::over(problem.graph, problem.handles);
-  } else if constexpr (requires { Term::over(problem.mesh, problem.weights); }) {
-    return Term::over(problem.mesh, problem.weights);
-  } else if constexpr (requires { Term::over(problem.mesh, problem.places); }) {
-    return Term::over(problem.mesh, problem.places);
+Terms<Term> sum_over(const Sample& sample) {
+  if constexpr (requires { Term::over(sample.graph, sample.handles); }) {
+    return Term::over(sample.graph, sample.handles);
+  } else if constexpr (requires { Term::over(sample.mesh, sample.weights); }) {
+    return Term::over(sample.mesh, sample.weights);
+  } else if constexpr (requires { Term::over(sample.mesh, sample.places); }) {
+    return Term::over(sample.mesh, sample.places);
   } else {
-    return Term::over(problem.graph);
+    return Term::over(sample.graph);
   }
 }
 
 /// The rest state of what the term is summed over: a graph's transformations, or the vertices of a
 /// triangulation where the term does not name other nodes.
 template <class Term>
-Unknowns rest_of(const Problem& problem) {
-  if constexpr (requires { Term::rest(problem.mesh); }) {
-    return Term::rest(problem.mesh);
-  } else if constexpr (requires { Term::rest(problem.graph); }) {
-    return Term::rest(problem.graph);
+Unknowns rest_of(const Sample& sample) {
+  if constexpr (requires { Term::rest(sample.mesh); }) {
+    return Term::rest(sample.mesh);
+  } else if constexpr (requires { Term::rest(sample.graph); }) {
+    return Term::rest(sample.graph);
   } else if constexpr (
-      requires { Term::over(problem.mesh, problem.weights); } ||
-      requires { Term::over(problem.mesh, problem.places); }) {
-    return Unknowns::uniform(problem.mesh.V, static_cast<int>(problem.mesh.V.cols()));
+      requires { Term::over(sample.mesh, sample.weights); } ||
+      requires { Term::over(sample.mesh, sample.places); }) {
+    return Unknowns::uniform(sample.mesh.V, static_cast<int>(sample.mesh.V.cols()));
   } else {
-    return problem.rest(TermEnergy<Term>(Terms<Term>{}).dimension());
+    return sample.rest(TermEnergy<Term>(Terms<Term>{}).dimension());
   }
 }
 
@@ -56,7 +56,7 @@ Unknowns rest_of(const Problem& problem) {
 inline std::vector<Unknowns> states(const Unknowns& rest) {
   return {rest, perturbed(rest, 0.1, 2), perturbed(rest, 3, 3)};
 }
-inline std::vector<Unknowns> states(const Problem& problem) { return states(problem.rest()); }
+inline std::vector<Unknowns> states(const Sample& sample) { return states(sample.rest()); }
 
 inline std::vector<const double*> pointers(const Energy& energy, const Unknowns& x, int e) {
   std::vector<const double*> result;
@@ -137,21 +137,21 @@ inline Unknowns moved(Unknowns x, const Eigen::Matrix3Xd& nodes, const Eigen::Ma
   return x;
 }
 
-inline AssertionResult rigidly_invariant(const Energy& energy, const Problem& problem,
+inline AssertionResult rigidly_invariant(const Energy& energy, const Sample& sample,
                                          const Unknowns& x) {
   const Eigen::Matrix3d Q3 = Eigen::Quaterniond(0.3, -0.5, 0.2, 0.8).normalized().matrix();
   const Eigen::Matrix2d Q2 = Eigen::Rotation2Dd(2.1).matrix();
   const int d = x.dimension();
   const Eigen::MatrixXd Q = d == 2 ? Eigen::MatrixXd(Q2) : Eigen::MatrixXd(Q3);
   const double before = residuals(energy, x).squaredNorm();
-  const Unknowns there = moved(x, problem.graph.g, Q, Eigen::Vector3d(0.7, -2, 1.1).head(d));
+  const Unknowns there = moved(x, sample.graph.g, Q, Eigen::Vector3d(0.7, -2, 1.1).head(d));
   const double after = residuals(energy, there).squaredNorm();
   if (std::abs(after - before) <= 1e-11 * (1 + before)) return AssertionSuccess();
   return AssertionFailure() << "E is " << before << ", after a rigid motion " << after;
 }
 
 /// Whether J = aᵀ ⊗ I_d in every block.
-inline bool is_separable(const Energy& energy, const Eigen::MatrixXd& J) {
+inline bool is_kronecker(const Energy& energy, const Eigen::MatrixXd& J) {
   const int d = energy.dimension();
   if (energy.rows() != d) return false;
   for (Eigen::Index c = 0; c < J.cols(); c += d) {
@@ -162,7 +162,7 @@ inline bool is_separable(const Energy& energy, const Eigen::MatrixXd& J) {
   return true;
 }
 
-/// r = X a − b by what a separable term says of a and b.
+/// r = X a − b by what a Kronecker term says of a and b.
 inline AssertionResult has_its_coefficients(const Energy& energy, const Unknowns& x) {
   const int d = energy.dimension();
   Eigen::MatrixXd a(energy.jacobian_columns() / d, energy.size()), b(d, energy.size());
@@ -196,11 +196,11 @@ inline AssertionResult has_declared_structure(const Energy& energy, const Unknow
   if (relative_difference(predicted, at_y.r) > 1e-12) {
     return AssertionFailure() << "r is not affine in X";
   }
-  const bool separable = is_separable(energy, J);
-  if (separable == (energy.structure() == Structure::kSeparable)) {
-    return separable ? has_its_coefficients(energy, y) : AssertionSuccess();
+  const bool Kronecker = is_kronecker(energy, J);
+  if (Kronecker == (energy.structure() == Structure::kKronecker)) {
+    return Kronecker ? has_its_coefficients(energy, y) : AssertionSuccess();
   }
-  return AssertionFailure() << (separable ? "separable, but declared linear" : "not separable");
+  return AssertionFailure() << (Kronecker ? "Kronecker, but declared linear" : "not Kronecker");
 }
 
 template <class Term>

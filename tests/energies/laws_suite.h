@@ -36,11 +36,11 @@ std::vector<std::string_view> names(TermList<Term...>) {
 template <class T>
 class Laws : public ::testing::Test {
  protected:
-  const std::vector<Problem> problems{random_problem(12, 4, 1), random_problem(9, 2, 7)};
+  const std::vector<Sample> samples{random_sample(12, 4, 1), random_sample(9, 2, 7)};
   template <class Law>
   void everywhere(Law&& law) {
-    for (const Problem& problem : problems) {
-      for (const Unknowns& x : states(rest_of<typename T::Term>(problem))) law(problem, x);
+    for (const Sample& sample : samples) {
+      for (const Unknowns& x : states(rest_of<typename T::Term>(sample))) law(sample, x);
     }
   }
 };
@@ -48,15 +48,15 @@ TYPED_TEST_SUITE_P(Laws);
 
 TYPED_TEST_P(Laws, DerivativesAgree) {
   using Term = typename TypeParam::Term;
-  this->everywhere([](const Problem& problem, const Unknowns& x) {
-    EXPECT_TRUE(derivatives_agree(sum_over<Term>(problem), x));
+  this->everywhere([](const Sample& sample, const Unknowns& x) {
+    EXPECT_TRUE(derivatives_agree(sum_over<Term>(sample), x));
   });
 }
 
 TYPED_TEST_P(Laws, HasElements) {
   using Term = typename TypeParam::Term;
-  for (const Problem& problem : this->problems) {
-    const TermEnergy<Term> energy(sum_over<Term>(problem));
+  for (const Sample& sample : this->samples) {
+    const TermEnergy<Term> energy(sum_over<Term>(sample));
     EXPECT_GT(energy.size(), 0);
     EXPECT_EQ(energy.name(), Term::kName);
     EXPECT_EQ(energy.structure(), Term::kStructure);
@@ -66,8 +66,8 @@ TYPED_TEST_P(Laws, HasElements) {
 TYPED_TEST_P(Laws, ZeroAtRestWhereDeclared) {
   using Term = typename TypeParam::Term;
   if constexpr (requires { requires Term::kZeroAtRest; }) {
-    for (const Problem& problem : this->problems) {
-      EXPECT_TRUE(zero_at_rest(TermEnergy<Term>(sum_over<Term>(problem)), rest_of<Term>(problem)));
+    for (const Sample& sample : this->samples) {
+      EXPECT_TRUE(zero_at_rest(TermEnergy<Term>(sum_over<Term>(sample)), rest_of<Term>(sample)));
     }
   }
 }
@@ -75,31 +75,31 @@ TYPED_TEST_P(Laws, ZeroAtRestWhereDeclared) {
 TYPED_TEST_P(Laws, RigidlyInvariantWhereDeclared) {
   using Term = typename TypeParam::Term;
   if constexpr (requires { requires Term::kRigidlyInvariant; }) {
-    this->everywhere([](const Problem& problem, const Unknowns& x) {
-      EXPECT_TRUE(rigidly_invariant(TermEnergy<Term>(sum_over<Term>(problem)), problem, x));
+    this->everywhere([](const Sample& sample, const Unknowns& x) {
+      EXPECT_TRUE(rigidly_invariant(TermEnergy<Term>(sum_over<Term>(sample)), sample, x));
     });
   }
 }
 
 TYPED_TEST_P(Laws, HasTheStructureThatItDeclares) {
   using Term = typename TypeParam::Term;
-  for (const Problem& problem : this->problems) {
-    const auto x = states(rest_of<Term>(problem));
-    EXPECT_TRUE(has_declared_structure(TermEnergy<Term>(sum_over<Term>(problem)), x[1], x[2]));
+  for (const Sample& sample : this->samples) {
+    const auto x = states(rest_of<Term>(sample));
+    EXPECT_TRUE(has_declared_structure(TermEnergy<Term>(sum_over<Term>(sample)), x[1], x[2]));
   }
 }
 
 TYPED_TEST_P(Laws, OrderOfElementsDoesNotMatter) {
   using Term = typename TypeParam::Term;
-  this->everywhere([](const Problem& problem, const Unknowns& x) {
-    EXPECT_TRUE(order_does_not_matter(sum_over<Term>(problem), x));
+  this->everywhere([](const Sample& sample, const Unknowns& x) {
+    EXPECT_TRUE(order_does_not_matter(sum_over<Term>(sample), x));
   });
 }
 
 TYPED_TEST_P(Laws, WritesEverythingAndStaysFinite) {
   using Term = typename TypeParam::Term;
-  this->everywhere([](const Problem& problem, const Unknowns& x) {
-    const TermEnergy<Term> energy(sum_over<Term>(problem));
+  this->everywhere([](const Sample& sample, const Unknowns& x) {
+    const TermEnergy<Term> energy(sum_over<Term>(sample));
     EXPECT_TRUE(all_written_and_finite(energy, x));
     EXPECT_TRUE(all_written_and_finite(energy, perturbed(x, 1e4)));
   });
@@ -107,8 +107,8 @@ TYPED_TEST_P(Laws, WritesEverythingAndStaysFinite) {
 
 TYPED_TEST_P(Laws, WeightsOfElementsScale) {
   using Term = typename TypeParam::Term;
-  this->everywhere([](const Problem& problem, const Unknowns& x) {
-    EXPECT_TRUE(weights_scale(sum_over<Term>(problem), x));
+  this->everywhere([](const Sample& sample, const Unknowns& x) {
+    EXPECT_TRUE(weights_scale(sum_over<Term>(sample), x));
   });
 }
 

@@ -30,7 +30,7 @@ struct Mixed {  // r = (c1.y, c1.z, c1.x): affine, but not the same for every co
 };
 
 template <Structure structure>
-struct Sum {  // r = c1 + c2: separable
+struct Sum {  // r = c1 + c2: Kronecker
   static constexpr std::string_view kName = "sum";
   static constexpr Structure kStructure = structure;
   template <class T>
@@ -56,7 +56,7 @@ struct WrongJacobian {
 template <int sign>
 struct WithOffset {
   static constexpr std::string_view kName = "with_offset";
-  static constexpr Structure kStructure = Structure::kSeparable;
+  static constexpr Structure kStructure = Structure::kKronecker;
   template <class T>
   Vector<T, 3> operator()(const Vector<T, 3>& v) const {
     return v - Vector<T, 3>(T(1), T(2), T(3));
@@ -67,7 +67,7 @@ struct WithOffset {
 
 struct ForgetsARow {
   static constexpr std::string_view kName = "forgets_a_row";
-  static constexpr Structure kStructure = Structure::kSeparable;
+  static constexpr Structure kStructure = Structure::kKronecker;
   template <class T>
   Vector<T, 3> operator()(const Matrix<T, 3>& R) const {
     return {R(0, 0), R(1, 0), T(NAN)};
@@ -75,64 +75,64 @@ struct ForgetsARow {
 };
 
 template <class Term>
-Terms<Term> at_every_node(const Problem& problem) {
+Terms<Term> at_every_node(const Sample& sample) {
   Terms<Term> sum;
-  for (int j = 0; j < problem.nodes(); ++j) sum.add({}, {j});
+  for (int j = 0; j < sample.nodes(); ++j) sum.add({}, {j});
   return sum;
 }
 
 template <class Term>
-AssertionResult structure_of(const Problem& problem) {
-  const auto x = states(problem);
-  return has_declared_structure(TermEnergy<Term>(at_every_node<Term>(problem)), x[1], x[2]);
+AssertionResult structure_of(const Sample& sample) {
+  const auto x = states(sample);
+  return has_declared_structure(TermEnergy<Term>(at_every_node<Term>(sample)), x[1], x[2]);
 }
 
-const Problem& problem() {
-  static const Problem result = random_problem(8);
+const Sample& sample() {
+  static const Sample result = random_sample(8);
   return result;
 }
 
 TEST(LawsBite, OnAFalseStructure) {
-  EXPECT_FALSE(structure_of<Squared<Structure::kSeparable>>(problem()));
-  EXPECT_FALSE(structure_of<Squared<Structure::kLinear>>(problem()));
-  EXPECT_TRUE(structure_of<Squared<Structure::kNonlinear>>(problem()));
-  EXPECT_FALSE(structure_of<Mixed<Structure::kSeparable>>(problem()));
-  EXPECT_TRUE(structure_of<Mixed<Structure::kLinear>>(problem()));
-  EXPECT_TRUE(structure_of<Sum<Structure::kSeparable>>(problem()));
+  EXPECT_FALSE(structure_of<Squared<Structure::kKronecker>>(sample()));
+  EXPECT_FALSE(structure_of<Squared<Structure::kLinear>>(sample()));
+  EXPECT_TRUE(structure_of<Squared<Structure::kNonlinear>>(sample()));
+  EXPECT_FALSE(structure_of<Mixed<Structure::kKronecker>>(sample()));
+  EXPECT_TRUE(structure_of<Mixed<Structure::kLinear>>(sample()));
+  EXPECT_TRUE(structure_of<Sum<Structure::kKronecker>>(sample()));
 }
 
 TEST(LawsBite, OnAStructureWeakerThanItCouldBe) {
-  EXPECT_FALSE(structure_of<Sum<Structure::kLinear>>(problem()));
-  EXPECT_FALSE(structure_of<Sum<Structure::kNonlinear>>(problem()));
-  EXPECT_FALSE(structure_of<Mixed<Structure::kNonlinear>>(problem()));
+  EXPECT_FALSE(structure_of<Sum<Structure::kLinear>>(sample()));
+  EXPECT_FALSE(structure_of<Sum<Structure::kNonlinear>>(sample()));
+  EXPECT_FALSE(structure_of<Mixed<Structure::kNonlinear>>(sample()));
 }
 
 TEST(LawsBite, OnAWrongDerivative) {
   using Right = Squared<Structure::kNonlinear>;
-  const Unknowns x = states(problem())[1];
-  EXPECT_FALSE(derivatives_agree(at_every_node<WrongJacobian>(problem()), x));
-  EXPECT_TRUE(derivatives_agree(at_every_node<Right>(problem()), x));
+  const Unknowns x = states(sample())[1];
+  EXPECT_FALSE(derivatives_agree(at_every_node<WrongJacobian>(sample()), x));
+  EXPECT_TRUE(derivatives_agree(at_every_node<Right>(sample()), x));
 }
 
 TEST(LawsBite, OnAWrongOffset) {
-  EXPECT_TRUE(structure_of<WithOffset<1>>(problem()));
-  EXPECT_FALSE(structure_of<WithOffset<-1>>(problem()));
+  EXPECT_TRUE(structure_of<WithOffset<1>>(sample()));
+  EXPECT_FALSE(structure_of<WithOffset<-1>>(sample()));
 }
 
 TEST(LawsBite, OnATermThatIsNotZeroAtRest) {
-  using Term = Sum<Structure::kSeparable>;
-  EXPECT_FALSE(zero_at_rest(TermEnergy<Term>(at_every_node<Term>(problem())), problem().rest()));
+  using Term = Sum<Structure::kKronecker>;
+  EXPECT_FALSE(zero_at_rest(TermEnergy<Term>(at_every_node<Term>(sample())), sample().rest()));
 }
 
 TEST(LawsBite, OnATermThatARigidMotionChanges) {
   using Term = Squared<Structure::kNonlinear>;
-  const TermEnergy<Term> energy(at_every_node<Term>(problem()));
-  EXPECT_FALSE(rigidly_invariant(energy, problem(), states(problem())[1]));
+  const TermEnergy<Term> energy(at_every_node<Term>(sample()));
+  EXPECT_FALSE(rigidly_invariant(energy, sample(), states(sample())[1]));
 }
 
 TEST(LawsBite, OnAResidualThatIsNotWritten) {
-  const TermEnergy<ForgetsARow> energy(at_every_node<ForgetsARow>(problem()));
-  EXPECT_FALSE(all_written_and_finite(energy, problem().rest()));
+  const TermEnergy<ForgetsARow> energy(at_every_node<ForgetsARow>(sample()));
+  EXPECT_FALSE(all_written_and_finite(energy, sample().rest()));
 }
 
 TEST(LawsBite, OnNames) {

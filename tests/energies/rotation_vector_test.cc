@@ -15,11 +15,11 @@ TEST(RotationVector, IsTheRotationByItsLength) {
 }
 
 TEST(RotationVector, DerivativesAgreeOnBothSidesOfTheSeries) {
-  const Problem problem = random_problem(9, 2, 7);
+  const Sample sample = random_sample(9, 2, 7);
   for (const double scale : {1e-9, 1e-3, 0.005, 0.02}) {
-    const Unknowns x = perturbed(rigid_rest(problem.graph), scale, 4);
-    EXPECT_TRUE(derivatives_agree(sum_over<RigidRegularization>(problem), x)) << scale;
-    EXPECT_TRUE(derivatives_agree(sum_over<RigidConstraint>(problem), x)) << scale;
+    const Unknowns x = perturbed(rigid_rest(sample.graph), scale, 4);
+    EXPECT_TRUE(derivatives_agree(sum_over<RigidRegularization>(sample), x)) << scale;
+    EXPECT_TRUE(derivatives_agree(sum_over<RigidConstraint>(sample), x)) << scale;
   }
 }
 
@@ -35,19 +35,19 @@ Unknowns affine(const Unknowns& rigid) {
 }
 
 template <class Rigid, class Affine>
-void expect_same(const Problem& problem) {
-  const Unknowns x = perturbed(rigid_rest(problem.graph), 1, 5);
-  const TermEnergy<Rigid> rigid(sum_over<Rigid>(problem));
-  const TermEnergy<Affine> other(sum_over<Affine>(problem));
+void expect_same(const Sample& sample) {
+  const Unknowns x = perturbed(rigid_rest(sample.graph), 1, 5);
+  const TermEnergy<Rigid> rigid(sum_over<Rigid>(sample));
+  const TermEnergy<Affine> other(sum_over<Affine>(sample));
   EXPECT_LT(relative_difference(residuals(rigid, x), residuals(other, affine(x))), 1e-13);
   EXPECT_EQ(Rigid::kName, Affine::kName);
   EXPECT_EQ(Rigid::kWeight, Affine::kWeight);
 }
 
 TEST(RotationVector, ItsTermsAreTheAffineOnesAtRotations) {
-  const Problem problem = random_problem(12, 4, 1);
-  expect_same<RigidRegularization, Regularization<3>>(problem);
-  expect_same<RigidConstraint, Constraint<3>>(problem);
+  const Sample sample = random_sample(12, 4, 1);
+  expect_same<RigidRegularization, Regularization<3>>(sample);
+  expect_same<RigidConstraint, Constraint<3>>(sample);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <thread>
 
-#include "geometry/shape_io.h"
+#include "geometry/shape/shape_io.h"
 #include "tests/support/animations.h"
 #include "tests/support/program.h"
 

@@ -1,11 +1,11 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "experiments/animation/coherence.h"
-#include "experiments/animation/gallop.h"
-#include "experiments/animation/jet.h"
-#include "experiments/animation/stream_measurements.h"
-#include "geometry/graph_simplification.h"
+#include "experiments/scenes/gallop.h"
+#include "experiments/scenes/jet.h"
+#include "experiments/subjects/animation/coherence.h"
+#include "experiments/subjects/particles/stream_measurements.h"
+#include "geometry/graph/graph_simplification.h"
 #include "tests/support/program.h"
 #include "tests/support/shapes.h"
 
@@ -195,7 +195,7 @@ StreamDeformation turned_chain(double degrees) {
   Eigen::Matrix3Xd samples = Eigen::Matrix3Xd::Zero(3, 11);
   samples.row(0).setLinSpaced(11, 0, 10);
   EmbeddedDeformationOptions o;
-  o.solver.linear_solver = "separable_cg";
+  o.solver.linear_solver = "kronecker_cg";
   o.energies["smoothness"] = 1;
   StreamDeformation stream(samples, o);
   Eigen::Matrix3Xd points(3, 6);

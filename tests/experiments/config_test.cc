@@ -1,4 +1,4 @@
-#include "experiments/config.h"
+#include "experiments/config/config.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <array>
 #include <fstream>
 
-#include "experiments/override.h"
-#include "geometry/error.h"
+#include "experiments/config/override.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

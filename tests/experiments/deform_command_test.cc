@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "geometry/shape_io.h"
+#include "geometry/shape/shape_io.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"

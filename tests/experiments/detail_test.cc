@@ -1,4 +1,4 @@
-#include "experiments/detail.h"
+#include "experiments/measure/detail.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <png.h>
 
-#include "experiments/drawing/background.h"
-#include "experiments/drawing/drawing.h"
+#include "drawing/bitmap/background.h"
+#include "drawing/drawing.h"
 #include "tests/support/drawings.h"
 
 namespace deformlab {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/drawing/bitmap.h"
-#include "geometry/shape_io.h"
+#include "drawing/bitmap/bitmap.h"
+#include "geometry/shape/shape_io.h"
 #include "tests/support/program.h"
 
 // `deformlab deform` of drawings, and what it refuses.
@@ -117,7 +117,7 @@ TEST_F(DrawingCommand, TakesPolygonsAndFlatMeshes) {
   expect_success(deform("bar.txt", kEdit, "out.svg"));
   put("bar.obj", "v 10 25 0\nv 110 25 0\nv 110 55 0\nv 10 55 0\nf 1 2 3\nf 1 3 4\n");
   Words words = deform("bar.obj", kEdit, "out.obj");
-  words.push_back("deformer=rigid_shape");
+  words.push_back("deformer=arap_2d");
   expect_success(words);
   EXPECT_EQ(read_shape(place("out.obj")).V.cols(), 4);
 }
@@ -229,7 +229,7 @@ TEST_F(DrawingCommand, WritesTheStages) {
   EXPECT_EQ(fitted.V.cols(), 3 * std::ssize(result.faces));
   EXPECT_GT((intermediate.V - result.V).norm(), 1e-3);
   words.push_back("deformer=embedded_deformation");
-  expect_refused(words, {"output.stages", "rigid_shape"});
+  expect_refused(words, {"output.stages", "arap_2d"});
 }
 
 TEST_F(DrawingCommand, PaintsByAMask) {
@@ -276,7 +276,7 @@ TEST_F(DrawingCommand, APartWithoutAHandleStaysAndIsNamed) {
       "v 10 25 0\nv 110 25 0\nv 110 55 0\nv 10 55 0\nv 10 65 0\nv 110 65 0\nv 110 75 0\n"
       "f 1 2 3\nf 1 3 4\nf 5 6 7\n");
   Words words = deform("two.obj", kEdit, "out.obj");
-  words.push_back("deformer=rigid_shape");
+  words.push_back("deformer=arap_2d");
   EXPECT_THAT(expect_success(words).err, HasSubstr("has no handle: it stays where it is"));
   EXPECT_EQ(read_shape(place("out.obj")).V.col(6), Eigen::Vector3d(110, 75, 0));
 }

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "experiments/drawing/texture_map.h"
+#include "drawing/bitmap/texture_map.h"
 #include "tests/support/drawings.h"
 
 namespace deformlab {

@@ -1,11 +1,11 @@
-#include "experiments/edit.h"
+#include "experiments/subjects/shape/edit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

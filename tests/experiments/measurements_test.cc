@@ -1,4 +1,4 @@
-#include "experiments/measurements.h"
+#include "experiments/measure/measurements.h"
 
 #include <gtest/gtest.h>
 

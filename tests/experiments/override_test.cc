@@ -1,9 +1,9 @@
-#include "experiments/override.h"
+#include "experiments/config/override.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

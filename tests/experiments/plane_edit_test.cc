@@ -1,9 +1,9 @@
-#include "experiments/plane_edit.h"
+#include "experiments/subjects/drawing/plane_edit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

@@ -1,11 +1,11 @@
-#include "experiments/reference.h"
+#include "experiments/measure/reference.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 

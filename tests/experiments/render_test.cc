@@ -1,4 +1,4 @@
-#include "experiments/render.h"
+#include "render/render.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <limits>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

@@ -1,11 +1,11 @@
-#include "experiments/scene.h"
+#include "experiments/scenes/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/measurements.h"
-#include "experiments/resample.h"
-#include "geometry/error.h"
+#include "experiments/measure/measurements.h"
+#include "experiments/scenes/resample.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab {

@@ -1,4 +1,4 @@
-#include "experiments/stripes.h"
+#include "experiments/measure/stripes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

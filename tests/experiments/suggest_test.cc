@@ -1,4 +1,4 @@
-#include "experiments/suggest.h"
+#include "experiments/config/suggest.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "geometry/embedding.h"
+#include "geometry/transfer/embedding.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

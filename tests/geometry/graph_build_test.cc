@@ -1,4 +1,4 @@
-#include "geometry/graph_build.h"
+#include "geometry/graph/graph_build.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <fstream>
 #include <set>
 
-#include "geometry/error.h"
-#include "geometry/geodesic.h"
-#include "geometry/graph_vertices.h"
+#include "geometry/core/error.h"
+#include "geometry/graph/graph_vertices.h"
+#include "geometry/transfer/geodesic.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -1,9 +1,9 @@
-#include "geometry/graph_cut.h"
+#include "geometry/graph/graph_cut.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab::test {
 namespace {

@@ -1,11 +1,11 @@
-#include "geometry/graph_file.h"
+#include "geometry/graph/graph_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab::test {
 namespace {

@@ -1,9 +1,9 @@
-#include "geometry/graph_grid.h"
+#include "geometry/graph/graph_grid.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -42,7 +42,7 @@ TEST(Grid, FollowsTheTwoLongerSidesOfTheBox) {
   turned.V.row(2) = wide.V.row(1);
   const std::vector<int> nodes = grid_nodes(wide, 8);
   EXPECT_EQ(grid_nodes(turned, 8), nodes);
-  // Four along and two across, half a cell from the border.
+  // SimdBlock along and two across, half a cell from the border.
   for (int j = 0; j < 8; ++j) {
     EXPECT_NEAR(wide.V(0, nodes[j]), 0.25 + 0.5 * (j % 4), 0.026);
     EXPECT_NEAR(wide.V(1, nodes[j]), 0.25 + 0.5 * (j / 4), 0.013);

@@ -1,4 +1,4 @@
-#include "geometry/graph_simplification.h"
+#include "geometry/graph/graph_simplification.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

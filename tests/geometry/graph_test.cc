@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "geometry/deformation_graph.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
+#include "geometry/graph/deformation_graph.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

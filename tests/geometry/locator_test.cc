@@ -1,11 +1,11 @@
-#include "geometry/locator.h"
+#include "geometry/plane/locator.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab::test {
 namespace {

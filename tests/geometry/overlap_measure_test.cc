@@ -1,4 +1,4 @@
-#include "geometry/overlap_measure.h"
+#include "geometry/plane/overlap/overlap_measure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {

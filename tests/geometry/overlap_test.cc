@@ -1,4 +1,4 @@
-#include "geometry/overlap.h"
+#include "geometry/plane/overlap/overlap.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {

@@ -1,4 +1,4 @@
-#include "geometry/polygons.h"
+#include "geometry/plane/polygons.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "geometry/boundary_sampling.h"
+#include "geometry/plane/boundary_sampling.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {

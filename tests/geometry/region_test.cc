@@ -1,4 +1,4 @@
-#include "geometry/region.h"
+#include "geometry/plane/region.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab::test {
 namespace {

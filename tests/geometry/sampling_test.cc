@@ -1,4 +1,4 @@
-#include "geometry/sampling.h"
+#include "geometry/graph/sampling.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <string>
 
-#include "geometry/error.h"
-#include "geometry/shape_io.h"
+#include "geometry/core/error.h"
+#include "geometry/shape/shape_io.h"
 
 namespace deformlab {
 

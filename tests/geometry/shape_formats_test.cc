@@ -1,4 +1,4 @@
-#include "geometry/shape_formats.h"
+#include "geometry/shape/shape_formats.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "geometry/shape_io.h"
+#include "geometry/shape/shape_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

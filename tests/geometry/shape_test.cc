@@ -1,4 +1,4 @@
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/silhouette.h"
+#include "geometry/plane/silhouette.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/error.h"
-#include "geometry/marching_squares.h"
+#include "geometry/core/error.h"
+#include "geometry/plane/marching_squares.h"
 
 namespace deformlab::test {
 namespace {

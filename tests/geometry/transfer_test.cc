@@ -1,4 +1,4 @@
-#include "geometry/transfer.h"
+#include "geometry/transfer/transfer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/triangulation.h"
+#include "geometry/plane/triangulation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "tests/support/heap_calls.h"
-#include "tests/support/stages.h"
+#include "tests/support/problems.h"
 
 // Of the heap calls of the whole program CHOLMOD's own, which go through SuiteSparse's
 // function pointers, are left out. (Eigen allocates by malloc, not by operator new.)
@@ -48,17 +48,17 @@ class Allocations : public ::testing::Test {
 
   // Of a solve of so many steps, after one that has warmed every workspace up.
   static long in_a_solve(SolverOptions options, int steps, const LossOptions& loss = {}) {
-    const Problem problem = random_problem(100);
-    Stage stage = make_stage(problem, twisted(problem.handles, 1.5, 3));
-    term(stage, "constraint").loss = make_loss(loss, "loss");
-    const Unknowns start = stage.x;
+    const Sample sample = random_sample(100);
+    Problem problem = make_problem(sample, twisted(sample.handles, 1.5, 3));
+    term(problem, "constraint").loss = make_loss(loss, "loss");
+    const Unknowns start = problem.x;
     options.max_iterations = steps;
     const auto solver = make_solver(options);
-    solver->compile(stage);
-    solver->solve(stage);
-    stage.x = start;
+    solver->compile(problem);
+    solver->solve(problem);
+    problem.x = start;
     const long before = heap_calls;
-    const Summary summary = solver->solve(stage);
+    const Summary summary = solver->solve(problem);
     const long result = heap_calls - before;
     EXPECT_EQ(std::ssize(summary.iterations), steps) << summary.message;
     return result;
@@ -72,7 +72,7 @@ TEST_F(Allocations, AreCounted) {
 }
 
 TEST_F(Allocations, AStepMakesNone) {
-  for (const char* linear_solver : {"cholmod", "separable_cg"}) {
+  for (const char* linear_solver : {"cholmod", "kronecker_cg"}) {
     for (const char* globalization : {"none", "line_search", "levenberg", "accelerated"}) {
       const SolverOptions options = gauss_newton(linear_solver, globalization, 1e-300);
       EXPECT_EQ(in_a_solve(options, 3), in_a_solve(options, 6))

@@ -1,4 +1,4 @@
-#include "solvers/column_cholesky.h"
+#include "solvers/linear/column_cholesky.h"
 
 #include <gtest/gtest.h>
 
@@ -42,9 +42,9 @@ TEST(ColumnCholesky, SolvesAsADenseFactorDoes) {
       const SparseMatrix lower = random_lower(n, entries, n + entries);
       ColumnCholesky factor;
       ASSERT_TRUE(factor.factorize(lower)) << n << " " << entries;
-      const Columns4 b = Columns4::Random(4, n);
-      const Columns4 expected = dense(lower).llt().solve(b.transpose()).transpose();
-      Columns4 z;
+      const ColumnBlock b = ColumnBlock::Random(4, n);
+      const ColumnBlock expected = dense(lower).llt().solve(b.transpose()).transpose();
+      ColumnBlock z;
       Workers workers;
       factor.solve(b, z, workers);
       EXPECT_LT((z - expected).norm(), 1e-11 * expected.norm()) << n << " " << entries;
@@ -90,8 +90,8 @@ TEST(ColumnCholesky, SolvesBranchByBranchToTheSameBytesOnAnyNumberOfThreads) {
   ColumnCholesky factor;
   ASSERT_TRUE(factor.factorize(lower));
   ASSERT_GT(factor.nonzeros(), 400000);  // enough to be shared out
-  const Columns4 b = Columns4::Random(4, lower.cols());
-  Columns4 one, two, three, product = Columns4::Zero(4, lower.cols());
+  const ColumnBlock b = ColumnBlock::Random(4, lower.cols());
+  ColumnBlock one, two, three, product = ColumnBlock::Zero(4, lower.cols());
   Workers first(1), second(2), third(3);
   factor.solve(b, one, first);
   factor.solve(b, two, second);
@@ -154,11 +154,11 @@ TEST(ColumnCholesky, RefusesWhatIsSingularOrIndefinite) {
   EXPECT_FALSE(factor.factorize(chain));
 }
 
-TEST(Columns4, ProductIsThatOfTheWholeMatrix) {
+TEST(ColumnBlock, ProductIsThatOfTheWholeMatrix) {
   const SparseMatrix lower = random_lower(60, 300, 3);
-  const Columns4 x = Columns4::Random(4, 60);
-  Columns4 y = Columns4::Random(4, 60);
-  const Columns4 expected = y + x * dense(lower);
+  const ColumnBlock x = ColumnBlock::Random(4, 60);
+  ColumnBlock y = ColumnBlock::Random(4, 60);
+  const ColumnBlock expected = y + x * dense(lower);
   add_product(lower, x, y);
   EXPECT_LT((y - expected).norm(), 1e-13 * expected.norm());
   EXPECT_NEAR(dot(x, y), x.cwiseProduct(y).sum(), 1e-12);

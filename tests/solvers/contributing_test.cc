@@ -6,19 +6,20 @@
 namespace deformlab::test {
 namespace {
 
-Stage plate_that_keeps_its_volume() {
-  const Problem problem = random_problem(40);
-  Stage stage = make_stage(problem, twisted(problem.handles, 0.4, 0.3));
-  stage.terms.push_back({std::make_unique<TermEnergy<Volume<>>>(Volume<>::over(problem.graph)), 5});
-  return stage;
+Problem plate_that_keeps_its_volume() {
+  const Sample sample = random_sample(40);
+  Problem problem = make_problem(sample, twisted(sample.handles, 0.4, 0.3));
+  problem.terms.push_back(
+      {std::make_unique<TermEnergy<Volume<>>>(Volume<>::over(sample.graph)), 5});
+  return problem;
 }
 
 TEST(VolumeTerm, GoesThroughBothSolvers) {
-  Stage stage = plate_that_keeps_its_volume();
-  expect_same_system(stage, perturbed(stage.x, 0.3));
-  expect_dense_step(stage, perturbed(stage.x, 0.1), "cholmod");
-  stage = plate_that_keeps_its_volume();
-  expect_same_minimum(stage, gauss_newton("cholmod", "levenberg", 1e-12),
+  Problem problem = plate_that_keeps_its_volume();
+  expect_same_system(problem, perturbed(problem.x, 0.3));
+  expect_dense_step(problem, perturbed(problem.x, 0.1), "cholmod");
+  problem = plate_that_keeps_its_volume();
+  expect_same_minimum(problem, gauss_newton("cholmod", "levenberg", 1e-12),
                       ceres_with("auto", 1e-12));
 }
 

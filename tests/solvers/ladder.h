@@ -5,37 +5,38 @@
 
 #include <algorithm>
 
-#include "solvers/ceres_solver.h"
-#include "solvers/linear_solver.h"
-#include "solvers/normal_equations.h"
-#include "tests/support/stages.h"
+#include "solvers/ceres/ceres_solver.h"
+#include "solvers/gauss_newton/normal_equations.h"
+#include "solvers/linear/linear_solver.h"
+#include "tests/support/problems.h"
 
-// The rungs on which the two paths are compared, for any stage.
+// The rungs on which the two paths are compared, for any problem.
 namespace deformlab::test {
 
-/// r, J and the gradient of Ceres' problem at x, over the free entries.
+/// r, J and the gradient of Ceres' sample at x, over the free entries.
 struct CeresSystem {
   Eigen::VectorXd r, gradient;
   Eigen::SparseMatrix<double> J;
 };
 
-inline CeresSystem ceres_system(const Stage& stage, const Unknowns& x, const std::string& blocks) {
+inline CeresSystem ceres_system(const Problem& problem, const Unknowns& x,
+                                const std::string& blocks) {
   SolverOptions solver_options = ceres_with("auto");
   solver_options.ceres_blocks = blocks;
   CeresSolver solver(solver_options);
-  solver.compile(stage);
+  solver.compile(problem);
   solver.x().X = x.X;
   std::vector<double*> all;
-  solver.problem().GetParameterBlocks(&all);
+  solver.sample().GetParameterBlocks(&all);
   std::sort(all.begin(), all.end());  // all lie in x().X: now in its order
   ceres::Problem::EvaluateOptions options;
   for (double* block : all) {
-    const bool fixed = solver.problem().IsParameterBlockConstant(block);
+    const bool fixed = solver.sample().IsParameterBlockConstant(block);
     if (!fixed) options.parameter_blocks.push_back(block);
   }
   std::vector<double> r, gradient;
   ceres::CRSMatrix crs;
-  solver.problem().Evaluate(options, nullptr, &r, &gradient, &crs);
+  solver.sample().Evaluate(options, nullptr, &r, &gradient, &crs);
   const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> J(
       crs.num_rows, crs.num_cols, std::ssize(crs.values), crs.rows.data(), crs.cols.data(),
       crs.values.data());
@@ -49,8 +50,8 @@ struct NormalSystem {
   Eigen::VectorXd Jtr;
 };
 
-inline NormalSystem normal_system(const Stage& stage, const Unknowns& x, bool reordered) {
-  NormalEquations equations(stage);
+inline NormalSystem normal_system(const Problem& problem, const Unknowns& x, bool reordered) {
+  NormalEquations equations(problem);
   Eigen::VectorXi order =
       Eigen::VectorXi::LinSpaced(equations.unknowns(), 0, equations.unknowns() - 1);
   if (reordered) order = make_linear_solver("cholmod")->order(equations.structure());
@@ -71,50 +72,51 @@ inline NormalSystem normal_system(const Stage& stage, const Unknowns& x, bool re
 }
 
 /// Rung 1: r, J, JᵀJ and Jᵀr agree at x.
-inline void expect_same_system(const Stage& stage, const Unknowns& x) {
-  const SparseSystem all = reference(stage, x);
-  const Eigen::SparseMatrix<double> J = all.J * free_entries(stage).transpose();
+inline void expect_same_system(const Problem& problem, const Unknowns& x) {
+  const SparseSystem all = reference(problem, x);
+  const Eigen::SparseMatrix<double> J = all.J * free_entries(problem).transpose();
   const Eigen::SparseMatrix<double> JtJ = J.transpose() * J;
   const Eigen::VectorXd Jtr = J.transpose() * all.r;
   for (const char* blocks : {"column", "node"}) {
-    const CeresSystem theirs = ceres_system(stage, x, blocks);
+    const CeresSystem theirs = ceres_system(problem, x, blocks);
     EXPECT_LT(relative_difference(all.r, theirs.r), 1e-12) << blocks;
     EXPECT_LT(relative_difference(J, theirs.J), 1e-12) << blocks;
     EXPECT_LT(relative_difference(Jtr, theirs.gradient), 1e-12) << blocks;
   }
   for (const bool reordered : {false, true}) {
-    const NormalSystem ours = normal_system(stage, x, reordered);
+    const NormalSystem ours = normal_system(problem, x, reordered);
     EXPECT_LT(relative_difference(ours.H, JtJ), 1e-12) << reordered;
     EXPECT_LT(relative_difference(ours.Jtr, Jtr), 1e-12) << reordered;
   }
 }
 
 /// Rung 2: one full step is the dense solution of JᵀJ δ = −Jᵀr.
-inline void expect_dense_step(Stage& stage, const Unknowns& x, const std::string& linear_solver) {
-  const SparseSystem all = reference(stage, x);
-  const Eigen::SparseMatrix<double> P = free_entries(stage), J = all.J * P.transpose();
+inline void expect_dense_step(Problem& problem, const Unknowns& x,
+                              const std::string& linear_solver) {
+  const SparseSystem all = reference(problem, x);
+  const Eigen::SparseMatrix<double> P = free_entries(problem), J = all.J * P.transpose();
   const Eigen::MatrixXd JtJ = Eigen::SparseMatrix<double>(J.transpose() * J);
   const Eigen::VectorXd expected = P.transpose() * JtJ.llt().solve(J.transpose() * -all.r);
   SolverOptions options = gauss_newton(linear_solver, "none");
   options.max_iterations = 1;
-  stage.x = x;
-  const Summary summary = solve(stage, options);
-  const Eigen::VectorXd step = (stage.x.X - x.X).reshaped();
+  problem.x = x;
+  const Summary summary = solve(problem, options);
+  const Eigen::VectorXd step = (problem.x.X - x.X).reshaped();
   EXPECT_EQ(summary.notes, std::vector<std::string>{});
   EXPECT_LT(relative_difference(step, expected), 1e-9) << linear_solver;
 }
 
 /// Rung 3: under the same globalization both end in the same minimum.
-inline void expect_same_minimum(Stage& stage, const SolverOptions& one,
+inline void expect_same_minimum(Problem& problem, const SolverOptions& one,
                                 const SolverOptions& other) {
-  const Unknowns start = stage.x;
-  const Summary a = solve(stage, one);
-  const Eigen::MatrixXd X = std::exchange(stage.x, start).X;
-  const Summary b = solve(stage, other);
+  const Unknowns start = problem.x;
+  const Summary a = solve(problem, one);
+  const Eigen::MatrixXd X = std::exchange(problem.x, start).X;
+  const Summary b = solve(problem, other);
   EXPECT_EQ(a.status, Status::kConverged) << a.message;
   EXPECT_EQ(b.status, Status::kConverged) << b.message;
   EXPECT_LT(std::abs(a.final_cost - b.final_cost), 1e-9 * a.final_cost);
-  EXPECT_LT((X - stage.x.X).cwiseAbs().maxCoeff(), 1e-6 * X.cwiseAbs().maxCoeff());
+  EXPECT_LT((X - problem.x.X).cwiseAbs().maxCoeff(), 1e-6 * X.cwiseAbs().maxCoeff());
   EXPECT_LT(a.final_cost, 0.9 * a.initial_cost);
 }
 

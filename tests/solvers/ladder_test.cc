@@ -8,7 +8,7 @@ constexpr double kTight = 1e-12;
 
 class Ladder : public ::testing::TestWithParam<int> {
  protected:
-  Stage stage_ = twisted_plate(GetParam());
+  Problem stage_ = twisted_plate(GetParam());
 };
 
 TEST_P(Ladder, Rung1ResidualsAndDerivativesAgree) {
@@ -32,13 +32,13 @@ TEST_P(Ladder, Rung3CholmodAgreesWithEigen) {
 
 TEST_P(Ladder, Rung3ConjugateGradientsAgreeWithCholmod) {
   expect_same_minimum(stage_, gauss_newton("cholmod", "line_search", kTight),
-                      gauss_newton("separable_cg", "line_search", kTight));
+                      gauss_newton("kronecker_cg", "line_search", kTight));
 }
 
 TEST_P(Ladder, Rung3AcceleratedStepsAgreeWithHalvedOnes) {
-  for (const char* linear_solver : {"cholmod", "separable_cg"}) {
-    Stage stage = twisted_plate(GetParam());
-    expect_same_minimum(stage, gauss_newton("cholmod", "line_search", kTight),
+  for (const char* linear_solver : {"cholmod", "kronecker_cg"}) {
+    Problem problem = twisted_plate(GetParam());
+    expect_same_minimum(problem, gauss_newton("cholmod", "line_search", kTight),
                         gauss_newton(linear_solver, "accelerated", kTight));
   }
 }
@@ -48,11 +48,11 @@ INSTANTIATE_TEST_SUITE_P(Nodes, Ladder, ::testing::Values(20, 200, 1000));
 class DenseStep : public ::testing::TestWithParam<int> {};
 
 TEST_P(DenseStep, Rung2IsTaken) {
-  Stage stage = twisted_plate(GetParam());
-  const Unknowns x = perturbed(stage.x, 0.1);
-  for (const char* name : {"cholmod", "eigen_ldlt"}) expect_dense_step(stage, x, name);
-  for (int j = 0; j < stage.x.nodes(); j += 4) stage.fixed[j] = 1;
-  for (const char* name : {"cholmod", "eigen_ldlt"}) expect_dense_step(stage, x, name);
+  Problem problem = twisted_plate(GetParam());
+  const Unknowns x = perturbed(problem.x, 0.1);
+  for (const char* name : {"cholmod", "eigen_ldlt"}) expect_dense_step(problem, x, name);
+  for (int j = 0; j < problem.x.nodes(); j += 4) problem.fixed[j] = 1;
+  for (const char* name : {"cholmod", "eigen_ldlt"}) expect_dense_step(problem, x, name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Nodes, DenseStep, ::testing::Values(20, 200));
@@ -60,28 +60,28 @@ INSTANTIATE_TEST_SUITE_P(Nodes, DenseStep, ::testing::Values(20, 200));
 // Rung 4: far from well posed, the methods may end in different minima, and do. What each of them
 // says about its own end has to be true.
 TEST(LadderTop, EveryMethodIsHonestOnAHardScene) {
-  const Problem problem = random_problem(60);
-  const Eigen::Matrix3Xd targets = twisted(problem.handles, 2.5, 6);
+  const Sample sample = random_sample(60);
+  const Eigen::Matrix3Xd targets = twisted(sample.handles, 2.5, 6);
   SolverOptions dogleg = ceres_with("auto");
   dogleg.ceres_trust_region = "dogleg";
   for (const SolverOptions& options :
        {gauss_newton("cholmod", "none"), gauss_newton("cholmod", "line_search"),
         gauss_newton("cholmod", "levenberg"), gauss_newton("cholmod", "accelerated"),
-        gauss_newton("separable_cg", "accelerated"), ceres_with("auto"), dogleg}) {
-    Stage stage = make_stage(problem, targets);
-    for (WeightedEnergy& term : stage.terms) {
+        gauss_newton("kronecker_cg", "accelerated"), ceres_with("auto"), dogleg}) {
+    Problem problem = make_problem(sample, targets);
+    for (WeightedEnergy& term : problem.terms) {
       if (term.energy->name() != "rotation")
         term.weight *= 1e-3;  // as if lengths were in a large unit
     }
-    const Summary summary = solve(stage, options);
+    const Summary summary = solve(problem, options);
     const std::string name = summary.method + "_" + summary.globalization;
     RecordProperty(name + "_cost", std::to_string(summary.final_cost));
     RecordProperty(name + "_status", to_string(summary.status));
-    EXPECT_TRUE(stage.x.X.allFinite()) << name;
-    EXPECT_NEAR(summary.final_cost, cost(stage, stage.x), 1e-9 * summary.final_cost) << name;
+    EXPECT_TRUE(problem.x.X.allFinite()) << name;
+    EXPECT_NEAR(summary.final_cost, cost(problem, problem.x), 1e-9 * summary.final_cost) << name;
     EXPECT_NE(summary.message, "") << name;
     if (summary.status == Status::kConverged) {
-      const SparseSystem system = reference(stage, stage.x);
+      const SparseSystem system = reference(problem, problem.x);
       EXPECT_LT(2 * system.Jtr().lpNorm<Eigen::Infinity>(), 0.01 * (1 + summary.final_cost))
           << name;
     }
@@ -100,11 +100,11 @@ TEST(Numbering, OfTheNodesDoesNotMatter) {
   for (int j = 0; j < m; ++j) order[j] = (7 * j + 3) % m;
   Eigen::Matrix3Xd renumbered(3, m);
   for (int j = 0; j < m; ++j) renumbered.col(order[j]) = g.col(j);
-  const Problem one = make_problem(g, v, 4), other = make_problem(renumbered, v, 4);
+  const Sample one = make_sample(g, v, 4), other = make_sample(renumbered, v, 4);
   for (const SolverOptions& options :
        {gauss_newton("cholmod", "line_search", kTight), ceres_with("auto", kTight)}) {
-    Stage a = make_stage(one, twisted(one.handles, 0.4, 0.3));
-    Stage b = make_stage(other, twisted(other.handles, 0.4, 0.3));
+    Problem a = make_problem(one, twisted(one.handles, 0.4, 0.3));
+    Problem b = make_problem(other, twisted(other.handles, 0.4, 0.3));
     const Summary s = solve(a, options), t = solve(b, options);
     EXPECT_LT(std::abs(s.final_cost - t.final_cost), 1e-9 * s.final_cost);
     for (int j = 0; j < m; ++j) {

@@ -1,7 +1,7 @@
 #include "solvers/loss.h"
 
-#include "geometry/error.h"
-#include "solvers/separable_cg.h"
+#include "geometry/core/error.h"
+#include "solvers/gauss_newton/kronecker_cg.h"
 #include "tests/solvers/ladder.h"
 
 namespace deformlab::test {
@@ -11,15 +11,15 @@ constexpr double kTight = 1e-12;
 const std::string kKinds[] = {"huber", "cauchy", "tukey"};
 
 // The twisted plate, of whose handles every so manyth is aimed several edges beside its place.
-Stage with_outliers(int m, const LossOptions& loss, int every = 7) {
-  const Problem problem = random_problem(m);
-  Eigen::Matrix3Xd targets = twisted(problem.handles, 0.4, 0.3);
+Problem with_outliers(int m, const LossOptions& loss, int every = 7) {
+  const Sample sample = random_sample(m);
+  Eigen::Matrix3Xd targets = twisted(sample.handles, 0.4, 0.3);
   for (Eigen::Index l = 0; l < targets.cols(); l += every) {
     targets.col(l) += Eigen::Vector3d(0.5, -1, 3);
   }
-  Stage stage = make_stage(problem, targets);
-  term(stage, "constraint").loss = make_loss(loss, "loss");
-  return stage;
+  Problem problem = make_problem(sample, targets);
+  term(problem, "constraint").loss = make_loss(loss, "loss");
+  return problem;
 }
 
 class Loss : public ::testing::TestWithParam<std::string> {};
@@ -40,37 +40,37 @@ TEST_P(Loss, IsTheSquareOfSmallResidualsAndGrowsLess) {
 }
 
 TEST_P(Loss, Rung1ResidualsAndDerivativesAgree) {
-  Stage stage = with_outliers(60, {GetParam(), 0.3});
-  expect_same_system(stage, perturbed(stage.x, 0.1));
+  Problem problem = with_outliers(60, {GetParam(), 0.3});
+  expect_same_system(problem, perturbed(problem.x, 0.1));
   for (const char* name : {"rotation", "regularization"}) {
-    term(stage, name).loss = make_loss({GetParam(), 0.7}, "loss");
+    term(problem, name).loss = make_loss({GetParam(), 0.7}, "loss");
   }
-  for (int j = 0; j < stage.x.nodes(); j += 4) stage.fixed[j] = 1;
-  expect_same_system(stage, perturbed(stage.x, 0.3));
+  for (int j = 0; j < problem.x.nodes(); j += 4) problem.fixed[j] = 1;
+  expect_same_system(problem, perturbed(problem.x, 0.3));
 }
 
 TEST_P(Loss, Rung2TheDenseStepIsTaken) {
-  Stage stage = with_outliers(40, {GetParam(), 2});
+  Problem problem = with_outliers(40, {GetParam(), 2});
   for (const char* name : {"cholmod", "eigen_ldlt"}) {
-    expect_dense_step(stage, perturbed(stage.x, 0.05), name);
+    expect_dense_step(problem, perturbed(problem.x, 0.05), name);
   }
 }
 
 TEST_P(Loss, GradientIsThatOfTheCost) {
-  Stage stage = with_outliers(20, {GetParam(), 0.6});
-  term(stage, "rotation").loss = make_loss({GetParam(), 0.9}, "loss");
-  Unknowns x = perturbed(stage.x, 0.2);
-  Linearization linearization(stage);
-  EXPECT_NEAR(linearization.evaluate(x), cost(stage, x), 1e-12 * cost(stage, x));
+  Problem problem = with_outliers(20, {GetParam(), 0.6});
+  term(problem, "rotation").loss = make_loss({GetParam(), 0.9}, "loss");
+  Unknowns x = perturbed(problem.x, 0.2);
+  Linearization linearization(problem);
+  EXPECT_NEAR(linearization.evaluate(x), cost(problem, x), 1e-12 * cost(problem, x));
   linearization.linearize(x);
   const double scale = 2 * linearization.Jtr().lpNorm<Eigen::Infinity>();
   for (int c = 0; c < x.X.cols(); c += 3) {
     for (int i = 0; i < 3; ++i) {
       const double at = x.X(i, c), h = 1e-6;
       x.X(i, c) = at + h;
-      const double above = cost(stage, x);
+      const double above = cost(problem, x);
       x.X(i, c) = at - h;
-      const double below = cost(stage, x);
+      const double below = cost(problem, x);
       x.X(i, c) = at;
       EXPECT_NEAR(2 * linearization.Jtr()[linearization.place(i, c)], (above - below) / (2 * h),
                   1e-6 * scale);
@@ -79,7 +79,7 @@ TEST_P(Loss, GradientIsThatOfTheCost) {
 }
 
 TEST_P(Loss, OfALargeScaleIsNone) {
-  Stage plain = with_outliers(40, {}), robust = with_outliers(40, {GetParam(), 1000});
+  Problem plain = with_outliers(40, {}), robust = with_outliers(40, {GetParam(), 1000});
   const SolverOptions options = gauss_newton("cholmod", "line_search", 1e-10);
   const Summary a = solve(plain, options), b = solve(robust, options);
   EXPECT_NEAR(a.final_cost, b.final_cost, 1e-4 * a.final_cost);
@@ -88,10 +88,10 @@ TEST_P(Loss, OfALargeScaleIsNone) {
 
 TEST_P(Loss, LetsTheOtherHandlesBeMet) {
   const double scale = GetParam() == "tukey" ? 1 : 0.3;  // or it lets go of all at the start
-  Stage clean = with_outliers(60, {}), robust = with_outliers(60, {GetParam(), scale});
-  Stage torn = with_outliers(60, {});
-  const Problem problem = random_problem(60);
-  term(clean, "constraint").energy->aim(twisted(problem.handles, 0.4, 0.3));
+  Problem clean = with_outliers(60, {}), robust = with_outliers(60, {GetParam(), scale});
+  Problem torn = with_outliers(60, {});
+  const Sample sample = random_sample(60);
+  term(clean, "constraint").energy->set_targets(twisted(sample.handles, 0.4, 0.3));
   solve(clean, gauss_newton("auto", "accelerated"));
   solve(torn, gauss_newton("auto", "accelerated"));
   const Summary summary = solve(robust, gauss_newton("auto", "accelerated"));
@@ -103,8 +103,8 @@ TEST_P(Loss, LetsTheOtherHandlesBeMet) {
 // The steps are those of Ceres, so that the same minimum is found even where there are several.
 TEST_P(Loss, Rung3LevenbergMarquardtAgreesWithCeres) {
   for (const int m : {20, 200}) {
-    Stage stage = with_outliers(m, {GetParam(), 1});
-    expect_same_minimum(stage, gauss_newton("cholmod", "levenberg", kTight),
+    Problem problem = with_outliers(m, {GetParam(), 1});
+    expect_same_minimum(problem, gauss_newton("cholmod", "levenberg", kTight),
                         ceres_with("auto", kTight));
   }
 }
@@ -113,9 +113,9 @@ TEST_P(Loss, Rung3LevenbergMarquardtAgreesWithCeres) {
 TEST_P(Loss, Rung3EveryLinearSolverAgrees) {
   constexpr double kTighter = 1e-14;
   for (const int m : {20, 200}) {
-    for (const char* linear_solver : {"cholmod", "separable_cg"}) {
-      Stage stage = with_outliers(m, {GetParam(), 1}, 40);
-      expect_same_minimum(stage, gauss_newton("cholmod", "line_search", kTighter),
+    for (const char* linear_solver : {"cholmod", "kronecker_cg"}) {
+      Problem problem = with_outliers(m, {GetParam(), 1}, 40);
+      expect_same_minimum(problem, gauss_newton("cholmod", "line_search", kTighter),
                           gauss_newton(linear_solver, "accelerated", kTighter));
     }
   }
@@ -123,14 +123,14 @@ TEST_P(Loss, Rung3EveryLinearSolverAgrees) {
 
 // Each d×d block by its mean diagonal, of JᵀJ with the loss in it.
 TEST_P(Loss, IsInTheNearestSeparableMatrix) {
-  Stage stage = with_outliers(20, {GetParam(), 0.5});
-  const Unknowns x = perturbed(stage.x, 0.1);
-  Linearization linearization(stage);
+  Problem problem = with_outliers(20, {GetParam(), 0.5});
+  const Unknowns x = perturbed(problem.x, 0.1);
+  Linearization linearization(problem);
   linearization.evaluate(x);
   linearization.linearize(x);
   linearization.assemble();
   const Eigen::MatrixXd nearest = linearization.A() + linearization.nearest_of_others();
-  const Eigen::MatrixXd JtJ = reference(stage, x).JtJ();
+  const Eigen::MatrixXd JtJ = reference(problem, x).JtJ();
   double largest = 0;
   for (Eigen::Index c = 0; c < nearest.cols(); ++c) {
     for (Eigen::Index r = c; r < nearest.rows(); ++r) {
@@ -145,16 +145,16 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Loss, ::testing::ValuesIn(kKinds));
 
 TEST(AnyLoss, ThatLetsGoOfEveryHandleIsSurvived) {
   for (const SolverOptions& options :
-       {gauss_newton("cholmod", "accelerated"), gauss_newton("separable_cg", "line_search"),
+       {gauss_newton("cholmod", "accelerated"), gauss_newton("kronecker_cg", "line_search"),
         gauss_newton("auto", "levenberg"), ceres_with("auto")}) {
-    Stage stage = with_outliers(30, {});
+    Problem problem = with_outliers(30, {});
     Eigen::Matrix3Xd far =
-        Eigen::Matrix3Xd::Constant(3, term(stage, "constraint").energy->size(), 9);
-    term(stage, "constraint").energy->aim(far);
-    term(stage, "constraint").loss = make_loss({"tukey", 1e-6}, "loss");
-    const Summary summary = solve(stage, options);
+        Eigen::Matrix3Xd::Constant(3, term(problem, "constraint").energy->size(), 9);
+    term(problem, "constraint").energy->set_targets(far);
+    term(problem, "constraint").loss = make_loss({"tukey", 1e-6}, "loss");
+    const Summary summary = solve(problem, options);
     EXPECT_NE(summary.status, Status::kFailed) << summary.message;
-    EXPECT_TRUE(stage.x.X.allFinite());
+    EXPECT_TRUE(problem.x.X.allFinite());
     EXPECT_NEAR(summary.final_cost, summary.initial_cost, 1e-9);
   }
 }

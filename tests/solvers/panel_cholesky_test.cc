@@ -1,4 +1,4 @@
-#include "solvers/panel_cholesky.h"
+#include "solvers/linear/panel_cholesky.h"
 
 #include <gtest/gtest.h>
 

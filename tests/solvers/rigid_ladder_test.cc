@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "energies/rotation_vector.h"
-#include "geometry/error.h"
+#include "energies/graph/rotation_vector.h"
+#include "geometry/core/error.h"
 #include "tests/solvers/ladder.h"
 
 // Nodes that are rotations by construction, on the rungs of the ladder.
@@ -10,21 +10,21 @@ namespace {
 
 constexpr double kTight = 1e-12;
 
-Stage rigid_plate(int m) {
-  const Problem problem = random_problem(m, 4, 1);
-  const Eigen::Matrix3Xd targets = twisted(problem.handles, 0.4, 0.3);
-  Stage stage{rigid_rest(problem.graph), std::vector<char>(m, 0), {}};
+Problem rigid_plate(int m) {
+  const Sample sample = random_sample(m, 4, 1);
+  const Eigen::Matrix3Xd targets = twisted(sample.handles, 0.4, 0.3);
+  Problem problem{rigid_rest(sample.graph), std::vector<char>(m, 0), {}};
   for (const EnergyInfo& info : known_rigid_energies()) {
-    stage.terms.push_back(
-        {make_rigid_energy(info.name, problem.graph, problem.handles), info.default_weight});
-    stage.terms.back().energy->aim(targets);
+    problem.terms.push_back(
+        {make_rigid_energy(info.name, sample.graph, sample.handles), info.default_weight});
+    problem.terms.back().energy->set_targets(targets);
   }
-  return stage;
+  return problem;
 }
 
 class RigidLadder : public ::testing::TestWithParam<int> {
  protected:
-  Stage stage_ = rigid_plate(GetParam());
+  Problem stage_ = rigid_plate(GetParam());
 };
 
 TEST_P(RigidLadder, Rung1ResidualsAndDerivativesAgree) {
@@ -40,8 +40,8 @@ TEST_P(RigidLadder, Rung2TheDenseStepIsTaken) {
 
 TEST_P(RigidLadder, Rung3GaussNewtonAgreesWithCeres) {
   for (const char* globalization : {"levenberg", "line_search", "accelerated"}) {
-    Stage stage = rigid_plate(GetParam());
-    expect_same_minimum(stage, gauss_newton("cholmod", globalization, kTight),
+    Problem problem = rigid_plate(GetParam());
+    expect_same_minimum(problem, gauss_newton("cholmod", globalization, kTight),
                         ceres_with("auto", kTight));
   }
 }
@@ -49,15 +49,15 @@ TEST_P(RigidLadder, Rung3GaussNewtonAgreesWithCeres) {
 INSTANTIATE_TEST_SUITE_P(Nodes, RigidLadder, ::testing::Values(20, 200));
 
 TEST(RigidNodes, AreFactoredSinceNoTermIsSeparable) {
-  Stage stage = rigid_plate(40);
-  const Summary summary = solve(stage, gauss_newton("auto", "accelerated"));
+  Problem problem = rigid_plate(40);
+  const Summary summary = solve(problem, gauss_newton("auto", "accelerated"));
   EXPECT_EQ(summary.linear_solver, "cholmod");
-  EXPECT_EQ(summary.choice, "no term is separable");
+  EXPECT_EQ(summary.choice, "no term is Kronecker");
   try {
-    solve(stage, gauss_newton("separable_cg", "accelerated"));
-    ADD_FAILURE() << "separable_cg was taken";
+    solve(problem, gauss_newton("kronecker_cg", "accelerated"));
+    ADD_FAILURE() << "kronecker_cg was taken";
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("separable_cg"));
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("kronecker_cg"));
     EXPECT_THAT(e.what(), ::testing::HasSubstr("regularization, constraint"));
     EXPECT_THAT(e.what(), ::testing::HasSubstr("use auto"));
   }

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "energies/term_energy.h"
-#include "solvers/node_squares.h"
-#include "solvers/normal_equations.h"
+#include "solvers/gauss_newton/node_squares.h"
+#include "solvers/gauss_newton/normal_equations.h"
 #include "tests/solvers/ladder.h"
 
 namespace deformlab::test {
@@ -10,13 +10,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class SeparableCg : public ::testing::TestWithParam<int> {
+class KroneckerCg : public ::testing::TestWithParam<int> {
  protected:
   void expect_the_minimum_of_a_factorization(const std::string& globalization) {
-    Stage direct = twisted_plate(GetParam()), inexact = twisted_plate(GetParam());
+    Problem direct = twisted_plate(GetParam()), inexact = twisted_plate(GetParam());
     for (int j = 0; j < direct.x.nodes() && fixed_; j += 5) direct.fixed[j] = inexact.fixed[j] = 1;
     const Summary expected = solve(direct, gauss_newton("cholmod", globalization));
-    const Summary s = solve(inexact, gauss_newton("separable_cg", globalization));
+    const Summary s = solve(inexact, gauss_newton("kronecker_cg", globalization));
     EXPECT_EQ(s.status, Status::kConverged);
     EXPECT_NEAR(s.final_cost, expected.final_cost, 1e-6 * expected.final_cost);
     EXPECT_EQ(s.factorizations, 0);
@@ -27,41 +27,41 @@ class SeparableCg : public ::testing::TestWithParam<int> {
   bool fixed_ = false;
 };
 
-TEST_P(SeparableCg, FindsTheMinimumOfAFactorization) {
+TEST_P(KroneckerCg, FindsTheMinimumOfAFactorization) {
   expect_the_minimum_of_a_factorization("line_search");
 }
 
-TEST_P(SeparableCg, FindsItDamped) { expect_the_minimum_of_a_factorization("levenberg"); }
+TEST_P(KroneckerCg, FindsItDamped) { expect_the_minimum_of_a_factorization("levenberg"); }
 
-TEST_P(SeparableCg, FindsItWithNodesFixed) {
+TEST_P(KroneckerCg, FindsItWithNodesFixed) {
   fixed_ = true;
   expect_the_minimum_of_a_factorization("line_search");
 }
 
-TEST_P(SeparableCg, FindsItAccelerated) { expect_the_minimum_of_a_factorization("accelerated"); }
+TEST_P(KroneckerCg, FindsItAccelerated) { expect_the_minimum_of_a_factorization("accelerated"); }
 
-INSTANTIATE_TEST_SUITE_P(Nodes, SeparableCg, ::testing::Values(20, 200, 1000));
+INSTANTIATE_TEST_SUITE_P(Nodes, KroneckerCg, ::testing::Values(20, 200, 1000));
 
-// A from the separable terms, a block a node from the others.
-TEST(SeparableCgProduct, IsThatWithJtJ) {
-  Stage stage = twisted_plate(50);
-  for (int j = 0; j < stage.x.nodes(); j += 5) stage.fixed[j] = 1;
-  const Unknowns x = perturbed(stage.x, 0.1);
-  Linearization linearization(stage);
+// A from the Kronecker terms, a block a node from the others.
+TEST(KroneckerCgProduct, IsThatWithJtJ) {
+  Problem problem = twisted_plate(50);
+  for (int j = 0; j < problem.x.nodes(); j += 5) problem.fixed[j] = 1;
+  const Unknowns x = perturbed(problem.x, 0.1);
+  Linearization linearization(problem);
   linearization.assemble();
   linearization.evaluate(x);
   linearization.linearize(x);
   NodeSquares squares;
   squares.compile(linearization);
-  Columns4 p = Columns4::Random(4, linearization.free_columns());
+  ColumnBlock p = ColumnBlock::Random(4, linearization.free_columns());
   p.row(3).setZero();
-  Columns4 Hp = Columns4::Zero(4, p.cols());
+  ColumnBlock Hp = ColumnBlock::Zero(4, p.cols());
   add_product(linearization.A(), p, Hp);
   squares.add_product(linearization, p, Hp);
   const Eigen::VectorXd direction = p.topRows(3).reshaped();
-  const Eigen::SparseMatrix<double> P = free_entries(stage);
+  const Eigen::SparseMatrix<double> P = free_entries(problem);
   const Eigen::VectorXd everywhere = P.transpose() * direction;
-  const Eigen::VectorXd expected = P * (reference(stage, x).JtJ() * everywhere);
+  const Eigen::VectorXd expected = P * (reference(problem, x).JtJ() * everywhere);
   const Eigen::VectorXd product = Hp.topRows(3).reshaped();
   EXPECT_LT(relative_difference(product, expected), 1e-12);
   EXPECT_EQ(Hp.row(3).cwiseAbs().maxCoeff(), 0);
@@ -69,66 +69,66 @@ TEST(SeparableCgProduct, IsThatWithJtJ) {
 
 // Coordinates that no term couples stay apart in JᵀJ.
 TEST(NormalEquationsStructure, HasNoMoreThanTheTermsNeed) {
-  Stage stage = twisted_plate(50);
-  std::erase_if(stage.terms, [](const WeightedEnergy& term) {
-    return term.energy->structure() != Structure::kSeparable;
+  Problem problem = twisted_plate(50);
+  std::erase_if(problem.terms, [](const WeightedEnergy& term) {
+    return term.energy->structure() != Structure::kKronecker;
   });
-  const NormalEquations equations(stage);
+  const NormalEquations equations(problem);
   EXPECT_EQ(equations.structure().nonZeros(), 3 * equations.A().nonZeros());
 }
 
-// With separable terms alone the preconditioner is the matrix itself.
-TEST(SeparableCgPreconditioner, IsExactForSeparableTerms) {
-  Stage stage = twisted_plate(50);
-  std::erase_if(stage.terms, [](const WeightedEnergy& term) {
-    return term.energy->structure() != Structure::kSeparable;
+// With Kronecker terms alone the preconditioner is the matrix itself.
+TEST(KroneckerCgPreconditioner, IsExactForSeparableTerms) {
+  Problem problem = twisted_plate(50);
+  std::erase_if(problem.terms, [](const WeightedEnergy& term) {
+    return term.energy->structure() != Structure::kKronecker;
   });
-  ASSERT_EQ(stage.terms.size(), 2u);
-  const Summary s = solve(stage, gauss_newton("separable_cg", "line_search"));
+  ASSERT_EQ(problem.terms.size(), 2u);
+  const Summary s = solve(problem, gauss_newton("kronecker_cg", "line_search"));
   EXPECT_EQ(s.status, Status::kConverged);
   EXPECT_LE(s.iterations.size(), 2u);
   EXPECT_LE(s.cg_iterations, 2);
 }
 
-TEST(SeparableCgPreconditioner, TakesAStageWhereEveryNodeIsFixed) {
-  Stage stage = twisted_plate(20);
-  stage.fixed.assign(stage.fixed.size(), 1);
-  const Summary s = solve(stage, gauss_newton("separable_cg", "line_search"));
+TEST(KroneckerCgPreconditioner, TakesAStageWhereEveryNodeIsFixed) {
+  Problem problem = twisted_plate(20);
+  problem.fixed.assign(problem.fixed.size(), 1);
+  const Summary s = solve(problem, gauss_newton("kronecker_cg", "line_search"));
   EXPECT_EQ(s.status, Status::kConverged);
   EXPECT_THAT(s.message, HasSubstr("every node is fixed"));
 }
 
-TEST(SeparableCgPreconditioner, TakesAProblemWithoutAnyHandle) {
-  Stage stage = twisted_plate(20);
-  std::erase_if(stage.terms,
+TEST(KroneckerCgPreconditioner, TakesAProblemWithoutAnyHandle) {
+  Problem problem = twisted_plate(20);
+  std::erase_if(problem.terms,
                 [](const WeightedEnergy& term) { return term.energy->name() == "constraint"; });
-  stage.x = perturbed(stage.x, 0.05);
-  const Summary s = solve(stage, gauss_newton("separable_cg", "line_search"));
+  problem.x = perturbed(problem.x, 0.05);
+  const Summary s = solve(problem, gauss_newton("kronecker_cg", "line_search"));
   EXPECT_TRUE(std::isfinite(s.final_cost));
   EXPECT_LT(s.final_cost, 1e-3 * s.initial_cost);
-  EXPECT_TRUE(stage.x.X.allFinite());
+  EXPECT_TRUE(problem.x.X.allFinite());
 }
 
 TEST(Auto, TakesConjugateGradientsForAGraph) {
-  Stage stage = twisted_plate(200);
-  const Summary s = solve(stage, gauss_newton("auto", "accelerated"));
+  Problem problem = twisted_plate(200);
+  const Summary s = solve(problem, gauss_newton("auto", "accelerated"));
   EXPECT_EQ(s.status, Status::kConverged);
-  EXPECT_EQ(s.linear_solver, "separable_cg");
-  EXPECT_THAT(s.choice, HasSubstr("separable"));
+  EXPECT_EQ(s.linear_solver, "kronecker_cg");
+  EXPECT_THAT(s.choice, HasSubstr("Kronecker"));
   EXPECT_GE(s.condition, 1);
   EXPECT_LT(s.condition, 1e4);
 }
 
 TEST(Auto, FactorsWhatIsSmall) {
-  Stage stage = twisted_plate(5);
-  const Summary s = solve(stage, gauss_newton("auto", "accelerated"));
+  Problem problem = twisted_plate(5);
+  const Summary s = solve(problem, gauss_newton("auto", "accelerated"));
   EXPECT_EQ(s.linear_solver, "cholmod");
   EXPECT_THAT(s.choice, HasSubstr("60 unknowns"));
 }
 
 struct Link {  // r = b − a
   static constexpr std::string_view kName = "link";
-  static constexpr Structure kStructure = Structure::kSeparable;
+  static constexpr Structure kStructure = Structure::kKronecker;
   template <class T>
   Eigen::Matrix<T, 2, 1> operator()(const Eigen::Matrix<T, 2, 1>& a,
                                     const Eigen::Matrix<T, 2, 1>& b) const {
@@ -151,7 +151,7 @@ struct Rail {  // r = (n · a)² − 1: a vertex is on one of two lines
 class Chain : public ::testing::Test {
  protected:
   static constexpr int n = 1000;
-  Stage stage_{Unknowns::uniform(Eigen::Matrix2Xd::Zero(2, n), n), std::vector<char>(n, 0), {}};
+  Problem stage_{Unknowns::uniform(Eigen::Matrix2Xd::Zero(2, n), n), std::vector<char>(n, 0), {}};
   Eigen::Matrix2Xd on_rails_{2, n};
 
   Chain() {
@@ -192,13 +192,13 @@ TEST_F(Chain, IsFactoredInTheEndWhereItsConditionIsSeenLate) {
   EXPECT_THAT(s.notes.front(), HasSubstr("JᵀJ is factored instead"));
 }
 
-TEST(SeparableCgAlone, SaysThatItFailsWhereNothingCanBeFactored) {
-  for (const char* linear_solver : {"separable_cg", "auto"}) {
-    Stage stage = twisted_plate(30);
-    term(stage, "rotation").weight = 1e308;
-    const Summary s = solve(stage, gauss_newton(linear_solver, "accelerated"));
+TEST(KroneckerCgAlone, SaysThatItFailsWhereNothingCanBeFactored) {
+  for (const char* linear_solver : {"kronecker_cg", "auto"}) {
+    Problem problem = twisted_plate(30);
+    term(problem, "rotation").weight = 1e308;
+    const Summary s = solve(problem, gauss_newton(linear_solver, "accelerated"));
     EXPECT_EQ(s.status, Status::kFailed) << linear_solver << ": " << s.message;
-    EXPECT_TRUE(stage.x.X.allFinite());
+    EXPECT_TRUE(problem.x.X.allFinite());
   }
 }
 

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
-#include "tests/support/stages.h"
+#include "geometry/core/error.h"
+#include "tests/support/problems.h"
 
 namespace deformlab::test {
 namespace {
@@ -24,9 +24,9 @@ std::vector<SolverOptions> every_method() {
   return {gauss_newton("cholmod", "none"),
           gauss_newton("cholmod", "line_search"),
           gauss_newton("cholmod", "levenberg"),
-          gauss_newton("separable_cg", "none"),
-          gauss_newton("separable_cg", "line_search"),
-          gauss_newton("separable_cg", "levenberg"),
+          gauss_newton("kronecker_cg", "none"),
+          gauss_newton("kronecker_cg", "line_search"),
+          gauss_newton("kronecker_cg", "levenberg"),
           gauss_newton("eigen_ldlt", "none"),
           gauss_newton("eigen_ldlt", "line_search"),
           gauss_newton("eigen_ldlt", "levenberg"),
@@ -40,11 +40,11 @@ std::string name_of(const SolverOptions& o) {
 class CeresLinearSolver : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CeresLinearSolver, FindsTheMinimum) {
-  Stage stage = twisted_plate(20);
-  const Unknowns start = stage.x;
-  const double best = solve(stage, gauss_newton("cholmod", "levenberg", 1e-12)).final_cost;
-  stage.x = start;
-  const Summary summary = solve(stage, ceres_with(GetParam(), 1e-9));
+  Problem problem = twisted_plate(20);
+  const Unknowns start = problem.x;
+  const double best = solve(problem, gauss_newton("cholmod", "levenberg", 1e-12)).final_cost;
+  problem.x = start;
+  const Summary summary = solve(problem, ceres_with(GetParam(), 1e-9));
   // Ceres' conjugate gradients stop early: their steps are inexact, so they end less close.
   const bool iterative =
       summary.linear_solver == "CGNR" || summary.linear_solver == "ITERATIVE_SCHUR";
@@ -64,11 +64,11 @@ TEST(CeresOptions, AllFindTheSameMinimum) {
   eigen.ceres_sparse_library = "eigen_sparse";
   nodes.ceres_blocks = "node";
   for (const SolverOptions& options : {dogleg, eigen, nodes}) {
-    Stage stage = twisted_plate(20);
-    const Unknowns start = stage.x;
-    const double best = solve(stage, gauss_newton("cholmod", "levenberg", 1e-12)).final_cost;
-    stage.x = start;
-    EXPECT_NEAR(solve(stage, options).final_cost, best, 1e-8 * best);
+    Problem problem = twisted_plate(20);
+    const Unknowns start = problem.x;
+    const double best = solve(problem, gauss_newton("cholmod", "levenberg", 1e-12)).final_cost;
+    problem.x = start;
+    EXPECT_NEAR(solve(problem, options).final_cost, best, 1e-8 * best);
   }
 }
 
@@ -100,11 +100,11 @@ TEST(SolverOptions, NumbersOutOfRangeAreErrors) {
 
 TEST(EveryMethod, StaysAtRestAtRest) {
   for (const SolverOptions& options : every_method()) {
-    const Problem problem = random_problem(20);
-    Stage stage = make_stage(problem, problem.handles.v);
-    const Summary summary = solve(stage, options);
+    const Sample sample = random_sample(20);
+    Problem problem = make_problem(sample, sample.handles.v);
+    const Summary summary = solve(problem, options);
     EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << summary.message;
-    EXPECT_LT((stage.x.X - problem.rest().X).cwiseAbs().maxCoeff(), 1e-9) << name_of(options);
+    EXPECT_LT((problem.x.X - sample.rest().X).cwiseAbs().maxCoeff(), 1e-9) << name_of(options);
   }
 }
 
@@ -114,10 +114,10 @@ TEST(EveryMethod, ConvergesWhereFIsZeroUpToRounding) {
   const Eigen::Vector3d size(3, 1, 0.3), away(100, 70, 30);
   for (const SolverOptions& options : every_method()) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
-      const Problem problem = make_problem(random_points(30, size, seed).colwise() + away,
-                                           random_points(450, size, seed + 1).colwise() + away, 4);
-      Stage stage = make_stage(problem, problem.handles.v);
-      const Summary summary = solve(stage, options);
+      const Sample sample = make_sample(random_points(30, size, seed).colwise() + away,
+                                        random_points(450, size, seed + 1).colwise() + away, 4);
+      Problem problem = make_problem(sample, sample.handles.v);
+      const Summary summary = solve(problem, options);
       EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << summary.message;
       EXPECT_LT(summary.final_cost, 1e-18) << name_of(options);
     }
@@ -126,16 +126,16 @@ TEST(EveryMethod, ConvergesWhereFIsZeroUpToRounding) {
 
 TEST(EveryMethod, FillsTheSummary) {
   for (const SolverOptions& options : every_method()) {
-    Stage stage = twisted_plate(20);
-    const Unknowns start = stage.x;
-    const double initial = cost(stage, start);
-    const Summary s = solve(stage, options);
+    Problem problem = twisted_plate(20);
+    const Unknowns start = problem.x;
+    const double initial = cost(problem, start);
+    const Summary s = solve(problem, options);
     EXPECT_NEAR(s.initial_cost, initial, 1e-12 * initial);
-    EXPECT_NEAR(s.final_cost, cost(stage, stage.x), 1e-12 * initial);
+    EXPECT_NEAR(s.final_cost, cost(problem, problem.x), 1e-12 * initial);
     double sum = 0;
     for (const auto& [name, value] : s.cost_by_term) sum += value;
     EXPECT_NEAR(sum, s.final_cost, 1e-12 * initial);
-    EXPECT_EQ(s.cost_by_term.size(), stage.terms.size());
+    EXPECT_EQ(s.cost_by_term.size(), problem.terms.size());
     EXPECT_EQ(s.unknowns, 20 * 12);
     EXPECT_EQ(s.iterations.back().cost, s.final_cost) << name_of(options);
     const int linear_work = s.factorizations + s.cg_iterations;
@@ -148,71 +148,71 @@ TEST(EveryMethod, FillsTheSummary) {
 
 TEST(EveryMethod, LeavesFixedNodesAloneToTheBit) {
   for (const SolverOptions& options : every_method()) {
-    Stage stage = twisted_plate(20);
-    stage.x = perturbed(stage.x, 0.01);
-    stage.fixed[3] = stage.fixed[11] = 1;
-    const Unknowns start = stage.x;
-    const Summary summary = solve(stage, options);
+    Problem problem = twisted_plate(20);
+    problem.x = perturbed(problem.x, 0.01);
+    problem.fixed[3] = problem.fixed[11] = 1;
+    const Unknowns start = problem.x;
+    const Summary summary = solve(problem, options);
     EXPECT_EQ(summary.unknowns, 18 * 12);
     for (const int j : {3, 11}) {
-      EXPECT_EQ(stage.x.X.middleCols(4 * j, 4), start.X.middleCols(4 * j, 4)) << name_of(options);
+      EXPECT_EQ(problem.x.X.middleCols(4 * j, 4), start.X.middleCols(4 * j, 4)) << name_of(options);
     }
-    EXPECT_NE(stage.x.X, start.X);
+    EXPECT_NE(problem.x.X, start.X);
   }
 }
 
 TEST(EveryMethod, HasNothingToDoWhereAllNodesAreFixed) {
   for (const SolverOptions& options : every_method()) {
-    Stage stage = twisted_plate(20);
-    stage.fixed.assign(20, 1);
-    const Unknowns start = stage.x;
-    const Summary summary = solve(stage, options);
+    Problem problem = twisted_plate(20);
+    problem.fixed.assign(20, 1);
+    const Unknowns start = problem.x;
+    const Summary summary = solve(problem, options);
     EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << ": " << summary.message;
-    EXPECT_EQ(stage.x.X, start.X) << name_of(options);
-    EXPECT_NEAR(summary.final_cost, cost(stage, start), 1e-9) << name_of(options);
+    EXPECT_EQ(problem.x.X, start.X) << name_of(options);
+    EXPECT_NEAR(summary.final_cost, cost(problem, start), 1e-9) << name_of(options);
     EXPECT_EQ(summary.unknowns, 0) << name_of(options);
   }
 }
 
 TEST(EveryMethod, StaysWhereThereIsNoTerm) {
   for (const SolverOptions& options : every_method()) {
-    Stage stage = twisted_plate(20);
-    stage.terms.clear();
-    const Unknowns start = stage.x;
-    const Summary summary = solve(stage, options);
+    Problem problem = twisted_plate(20);
+    problem.terms.clear();
+    const Unknowns start = problem.x;
+    const Summary summary = solve(problem, options);
     EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << ": " << summary.message;
-    EXPECT_EQ(stage.x.X, start.X) << name_of(options);
+    EXPECT_EQ(problem.x.X, start.X) << name_of(options);
     EXPECT_EQ(summary.final_cost, 0);
   }
 }
 
 // Nothing says how far the plate turns about its only handle.
-Stage held_at_one_point() {
-  Problem problem = random_problem(20);
-  problem.handles = subset(problem.handles, std::vector<int>{0});
-  return make_stage(problem, problem.handles.v.colwise() + Eigen::Vector3d(0.5, 0.2, 1));
+Problem held_at_one_point() {
+  Sample sample = random_sample(20);
+  sample.handles = subset(sample.handles, std::vector<int>{0});
+  return make_problem(sample, sample.handles.v.colwise() + Eigen::Vector3d(0.5, 0.2, 1));
 }
 
 // Nodes on a line: nothing says how they turn about it.
-Stage straight_chain() {
+Problem straight_chain() {
   Eigen::Matrix3Xd g = Eigen::Matrix3Xd::Zero(3, 12), v = Eigen::Matrix3Xd::Zero(3, 60);
   g.row(0).setLinSpaced(0, 11);
   v.row(0).setLinSpaced(0, 11);
-  const Problem problem = make_problem(g, v, 2);
-  return make_stage(problem, problem.handles.v.colwise() + Eigen::Vector3d(0, 0.3, 0.2));
+  const Sample sample = make_sample(g, v, 2);
+  return make_problem(sample, sample.handles.v.colwise() + Eigen::Vector3d(0, 0.3, 0.2));
 }
 
 TEST(SingularProblems, EndFiniteAndSaySo) {
   for (const SolverOptions& options : every_method()) {
     for (const bool chain : {false, true}) {
-      Stage stage = chain ? straight_chain() : held_at_one_point();
-      const Summary summary = solve(stage, options);
-      EXPECT_TRUE(stage.x.X.allFinite());
+      Problem problem = chain ? straight_chain() : held_at_one_point();
+      const Summary summary = solve(problem, options);
+      EXPECT_TRUE(problem.x.X.allFinite());
       EXPECT_EQ(summary.status, Status::kConverged) << name_of(options) << summary.message;
       EXPECT_LT(summary.final_cost, 1e-6) << name_of(options);
       // Conjugate gradients solve a singular system that has solutions without noticing.
       const bool factors =
-          options.method == "gauss_newton" && options.linear_solver != "separable_cg";
+          options.method == "gauss_newton" && options.linear_solver != "kronecker_cg";
       if (factors && options.globalization != "levenberg") {
         ASSERT_EQ(summary.notes.size(), 1u) << name_of(options);
         EXPECT_THAT(summary.notes[0], HasSubstr("singular")) << name_of(options);
@@ -223,34 +223,34 @@ TEST(SingularProblems, EndFiniteAndSaySo) {
 
 TEST(EveryMethod, FailsWhereTheStartIsNotFiniteAndLeavesTheState) {
   for (const SolverOptions& options : every_method()) {
-    Stage stage = twisted_plate(20);
-    stage.x.X(0, 0) = 1e200;  // its square is infinite
-    const Unknowns start = stage.x;
-    const Summary summary = solve(stage, options);
+    Problem problem = twisted_plate(20);
+    problem.x.X(0, 0) = 1e200;  // its square is infinite
+    const Unknowns start = problem.x;
+    const Summary summary = solve(problem, options);
     EXPECT_EQ(summary.status, Status::kFailed) << name_of(options);
     EXPECT_NE(summary.message, "") << name_of(options);
-    EXPECT_EQ(stage.x.X, start.X) << name_of(options);
+    EXPECT_EQ(problem.x.X, start.X) << name_of(options);
   }
 }
 
 TEST(EveryMethod, CanBeUsedAgainAfterAFailure) {
   for (const SolverOptions& options : every_method()) {
-    Stage stage = twisted_plate(20);
-    const Unknowns start = stage.x;
+    Problem problem = twisted_plate(20);
+    const Unknowns start = problem.x;
     const auto solver = make_solver(options);
-    solver->compile(stage);
-    stage.x.X(0, 0) = 1e200;
-    solver->solve(stage);
-    stage.x = start;
-    EXPECT_EQ(solver->solve(stage).status, Status::kConverged) << name_of(options);
+    solver->compile(problem);
+    problem.x.X(0, 0) = 1e200;
+    solver->solve(problem);
+    problem.x = start;
+    EXPECT_EQ(solver->solve(problem).status, Status::kConverged) << name_of(options);
   }
 }
 
 TEST(EveryMethod, SaysWhenItRanOutOfIterations) {
   for (SolverOptions options : every_method()) {
-    Stage stage = twisted_plate(20);
+    Problem problem = twisted_plate(20);
     options.max_iterations = 1;
-    const Summary summary = solve(stage, options);
+    const Summary summary = solve(problem, options);
     EXPECT_EQ(summary.status, Status::kMaxIterations) << name_of(options);
     EXPECT_EQ(summary.iterations.size(), 1u) << name_of(options);
   }
@@ -258,7 +258,7 @@ TEST(EveryMethod, SaysWhenItRanOutOfIterations) {
 
 TEST(EveryMethod, GivesTheSameBitsTwice) {
   for (const SolverOptions& options : every_method()) {
-    Stage one = twisted_plate(30), two = twisted_plate(30);
+    Problem one = twisted_plate(30), two = twisted_plate(30);
     solve(one, options);
     solve(two, options);
     EXPECT_EQ(one.x.X, two.x.X) << name_of(options);

@@ -10,9 +10,9 @@
 #include <iterator>
 #include <string>
 
-#include "experiments/drawing/bitmap.h"
-#include "geometry/error.h"
-#include "geometry/triangulation.h"
+#include "drawing/bitmap/bitmap.h"
+#include "geometry/core/error.h"
+#include "geometry/plane/triangulation.h"
 
 namespace deformlab::test {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/region.h"
-#include "geometry/triangulation.h"
+#include "geometry/plane/region.h"
+#include "geometry/plane/triangulation.h"
 
 namespace deformlab::test {
 

@@ -1,99 +1,81 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <random>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "energies/unknowns.h"
-#include "geometry/deformation_graph.h"
-#include "geometry/place.h"
-#include "geometry/transfer.h"
-#include "geometry/triangulation.h"
-#include "tests/support/shapes.h"
+#include "energies/catalog.h"
+#include "solvers/solver.h"
+#include "tests/support/samples.h"
+#include "tests/support/sparse_system.h"
 
 namespace deformlab::test {
 
-/// What terms are summed over: a deformation graph and handles embedded in it, a triangulation and
-/// a weight for each of its triangles, and places in it.
-struct Problem {
-  DeformationGraph graph;
-  Embedding handles;
-  Triangulation mesh;
-  Eigen::VectorXd weights;
-  std::vector<Place> places;
-
-  int nodes() const { return static_cast<int>(graph.g.cols()); }
-  /// R_j = I, t_j = 0, in d dimensions.
-  Unknowns rest(int d = 3) const {
-    Eigen::MatrixXd I = Eigen::MatrixXd::Identity(d, d + 1);
-    return Unknowns::uniform(I.replicate(1, nodes()), nodes());
+/// All terms that have a weight by default, at rest, with the handles aimed at `targets`.
+inline Problem make_problem(const Sample& sample, const Eigen::Matrix3Xd& targets) {
+  Problem problem{sample.rest(), std::vector<char>(sample.nodes(), 0), {}};
+  for (const EnergyInfo& info : known_energies()) {
+    if (info.default_weight == 0) continue;
+    problem.terms.push_back(
+        {make_energy(info.name, sample.graph, sample.handles), info.default_weight});
+    problem.terms.back().energy->set_targets(targets);
   }
-};
+  return problem;
+}
 
-/// n×n vertices over [0, 3]², somewhat shaken, and two triangles between four of them.
-inline Triangulation shaken_grid(int n, unsigned seed = 1) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> shake(-0.2, 0.2);
-  Triangulation mesh{Eigen::Matrix2Xd(2, n * n), Eigen::Matrix3Xi(3, 2 * (n - 1) * (n - 1))};
-  for (int i = 0; i < n * n; ++i) mesh.V.col(i) << i % n + shake(random), i / n + shake(random);
-  mesh.V *= 3.0 / (n - 1);
-  for (int y = 0, f = 0; y + 1 < n; ++y) {
-    for (int x = 0; x + 1 < n; ++x) {
-      const int a = y * n + x;
-      mesh.F.col(f++) << a, a + 1, a + 1 + n;
-      mesh.F.col(f++) << a, a + 1 + n, a + n;
+/// A plate of m nodes that is twisted and lifted at one end, moderately: every solver can.
+inline Problem twisted_plate(int m, unsigned seed = 1) {
+  const Sample sample = random_sample(m, 4, seed);
+  return make_problem(sample, twisted(sample.handles, 0.4, 0.3));
+}
+
+inline SolverOptions gauss_newton(const std::string& linear_solver,
+                                  const std::string& globalization, double epsilon = 1e-6) {
+  return {.method = "gauss_newton",
+          .linear_solver = linear_solver,
+          .globalization = globalization,
+          .epsilon = epsilon};
+}
+inline SolverOptions ceres_with(const std::string& linear_solver, double epsilon = 1e-6) {
+  return {.method = "ceres", .linear_solver = linear_solver, .epsilon = epsilon};
+}
+
+/// Compiles and solves; the result is left in the problem.
+inline Summary solve(Problem& problem, const SolverOptions& options) {
+  const auto solver = make_solver(options);
+  solver->compile(problem);
+  return solver->solve(problem);
+}
+
+/// The term of this name.
+inline WeightedEnergy& term(Problem& problem, std::string_view name) {
+  return *std::ranges::find_if(problem.terms,
+                               [&](const auto& one) { return one.energy->name() == name; });
+}
+
+/// The problem's residuals and Jacobian over all entries of X.
+inline SparseSystem reference(const Problem& problem, const Unknowns& x) {
+  std::vector<WeightedTerm> terms;
+  for (const WeightedEnergy& term : problem.terms) {
+    terms.push_back({term.energy.get(), term.weight, term.loss.get()});
+  }
+  return sparse_system(terms, x);
+}
+
+/// #free × #entries: picks the entries of free nodes, in their order.
+inline Eigen::SparseMatrix<double> free_entries(const Problem& problem) {
+  std::vector<Eigen::Triplet<double>> ones;
+  const int d = problem.x.dimension();
+  for (int j = 0; j < problem.x.nodes(); ++j) {
+    for (int i = d * problem.x.first[j]; i < d * problem.x.first[j + 1] && !problem.fixed[j]; ++i) {
+      ones.emplace_back(static_cast<int>(ones.size()), i, 1);
     }
   }
-  return mesh;
-}
-
-/// The nodes `g`, joined over the points `v`; those in the first and the last tenth along x are the
-/// handles. Everything is in units of the mean edge.
-inline Problem make_problem(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, int k) {
-  const Embedding shape = embed(v, g, k);
-  Problem problem{connect(g, shape, "overlap"), {}, {}, {}, {}};
-  const double low = v.row(0).minCoeff(), high = v.row(0).maxCoeff();
-  std::vector<int> ends;
-  for (int i = 0; i < v.cols(); ++i) {
-    const double along = (v(0, i) - low) / (high - low);
-    if (along < 0.1 || along > 0.9) ends.push_back(i);
-  }
-  problem.handles = subset(shape, ends);
-  const double unit = mean_edge_length(problem.graph);
-  problem.graph.g /= unit;
-  problem.handles.v /= unit;
-  return problem;
-}
-
-/// m nodes at random in a thick plate, with 15 points a node.
-inline Problem random_problem(int m, int k = 4, unsigned seed = 1) {
-  const Eigen::Vector3d size(3, 1, 0.3);
-  Problem problem =
-      make_problem(random_points(m, size, seed), random_points(15 * m, size, seed + 1), k);
-  problem.mesh = shaken_grid(4, seed);
-  problem.weights = Eigen::VectorXd::LinSpaced(problem.mesh.F.cols(), 0.5, 3);
-  for (const int f : {0, 3, 7}) problem.places.push_back({problem.mesh.F.col(f), {0.2, 0.3, 0.5}});
-  return problem;
-}
-
-/// Where the handles go: the upper half along x turns by `angle` about x and rises by `lift`.
-inline Eigen::Matrix3Xd twisted(const Embedding& handles, double angle, double lift) {
-  const Eigen::Matrix3d Q = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).matrix();
-  const double middle = (handles.v.row(0).minCoeff() + handles.v.row(0).maxCoeff()) / 2;
-  Eigen::Matrix3Xd targets = handles.v;
-  for (auto q : targets.colwise()) {
-    if (q.x() > middle) q = Q * q + Eigen::Vector3d(0, 0, lift);
-  }
-  return targets;
-}
-
-/// x with normal noise of the given size on every entry.
-inline Unknowns perturbed(Unknowns x, double size, unsigned seed = 1) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  for (auto& entry : x.X.reshaped()) entry += size * normal(random);
-  return x;
+  Eigen::SparseMatrix<double> P(std::ssize(ones), problem.x.X.size());
+  P.setFromTriplets(ones.begin(), ones.end());
+  return P;
 }
 
 }  // namespace deformlab::test

@@ -17,7 +17,7 @@ namespace deformlab::test {
 
 using Words = std::vector<std::string>;
 
-inline std::string read_bytes(const std::filesystem::path& path) {
+inline std::string read_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -47,8 +47,8 @@ inline Ending start_program(const std::filesystem::path& folder, Words arguments
   }
   int status = 0;
   waitpid(child, &status, 0);
-  Ending ending{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_bytes(out),
-                read_bytes(err)};
+  Ending ending{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_file(out),
+                read_file(err)};
   std::filesystem::remove(out);
   std::filesystem::remove(err);
   return ending;
@@ -74,7 +74,7 @@ class Program : public ::testing::Test {
     std::ofstream(place(name), std::ios::binary) << bytes;
   }
 
-  std::string get(const std::string& name) const { return read_bytes(place(name)); }
+  std::string get(const std::string& name) const { return read_file(place(name)); }
 
   bool exists(const std::string& name) const { return std::filesystem::exists(place(name)); }
 
@@ -85,7 +85,7 @@ class Program : public ::testing::Test {
     std::map<std::string, std::string> result;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
       const std::string name = entry.path().lexically_relative(folder_).string();
-      result[name] = entry.is_directory() ? "folder" : read_bytes(entry.path());
+      result[name] = entry.is_directory() ? "folder" : read_file(entry.path());
     }
     return result;
   }

@@ -22,7 +22,7 @@ inline std::string plane_off(int n = 9, double side = 1) {
   return text;
 }
 
-/// Holds the left edge of such a plane of side 1 and lifts the right one.
+/// Pins the left edge of such a plane of side 1 and lifts the right one.
 inline constexpr const char* kLift = R"(edit:
   - select: {box: {min: [-1, -1, -1], max: [0.01, 2, 1]}}
     fix: true

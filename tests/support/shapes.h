@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 
 namespace deformlab::test {
 

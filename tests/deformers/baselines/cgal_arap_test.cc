@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "deformers/baselines/manifold.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "deformers/baselines/primo_deformation.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "deformers/baselines/rbf_deformation.h"
-#include "geometry/error.h"
+#include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

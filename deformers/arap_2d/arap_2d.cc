@@ -1,0 +1,129 @@
+#include "deformers/arap_2d/arap_2d.h"
+
+#include <limits>
+#include <sstream>
+
+#include "deformers/arap_2d/staged_steps.h"
+#include "deformers/arap_2d/two_step.h"
+#include "deformers/handle_checks.h"
+#include "geometry/core/error.h"
+#include "geometry/graph/deformation_graph.h"
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kOutside = 1e-9;    // of the extent: rounding
+constexpr double kAtCorner = 1e-12;  // barycentric coordinates below it are 0
+constexpr int kMostRefinements = 100000;
+
+std::unique_ptr<TwoStepSolver> make_steps(const Triangulation& rest, const Eigen::VectorXd& weights,
+                                          const Arap2dOptions& options) {
+  if (options.refinements < 0 || options.refinements > kMostRefinements) {
+    throw InputError("arap_2d.refinements is " + std::to_string(options.refinements) +
+                     "; it is 0, the paper's way, to " + std::to_string(kMostRefinements));
+  }
+  const Eigen::VectorXd stiffness =
+      weights.size() > 0 ? weights : Eigen::VectorXd::Ones(rest.F.cols());
+  if (options.steps == "closed_form") {
+    return std::make_unique<TwoStep>(rest, stiffness, options.refinements);
+  }
+  if (options.steps == "stages") {
+    return std::make_unique<StagedSteps>(rest, stiffness, options.refinements, options.solver);
+  }
+  throw InputError("unknown arap_2d.steps '" + options.steps + "'; known: closed_form, stages");
+}
+
+double det(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {
+  const Eigen::Vector2d a = V.col(f[1]) - V.col(f[0]), b = V.col(f[2]) - V.col(f[0]);
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace
+
+Arap2d::Arap2d(const Triangulation& rest, const Eigen::VectorXd& weights,
+               const Arap2dOptions& options)
+    : rest_(rest), locate_(rest), deformed_(to_shape(rest)) {
+  Stopwatch watch(seconds_["registration"]);
+  steps_ = make_steps(rest, weights, options);
+  steps_->compile({});
+}
+
+BarycentricPoint Arap2d::place_at(const Eigen::Vector2d& point) const {
+  const Located located = locate_(point);
+  const double extent = (rest_.V.rowwise().maxCoeff() - rest_.V.rowwise().minCoeff()).norm();
+  if (!(located.distance <= kOutside * extent)) {
+    std::ostringstream text;
+    text << "the handle at (" << point.x() << ", " << point.y()
+         << ") is outside the shape; the nearest place inside is (" << located.nearest.x() << ", "
+         << located.nearest.y() << ")";
+    throw InputError(text.str());
+  }
+  const Eigen::Vector3i f = rest_.F.col(located.triangle);
+  const Eigen::Vector3d b = (located.b.array() < kAtCorner).select(0, located.b);
+  for (int c = 0; c < 3; ++c) {
+    if (b[(c + 1) % 3] == 0 && b[(c + 2) % 3] == 0) return BarycentricPoint::at_vertex(f[c]);
+  }
+  return {f, b / b.sum()};
+}
+
+void Arap2d::compile(const Handles& handles) {
+  seconds_["compile"] = 0;
+  Stopwatch watch(seconds_["compile"]);
+  check_handles(handles, rest_.V.cols());
+  std::vector<BarycentricPoint> places;
+  for (const auto* vertices : {&handles.fixed, &handles.moved}) {
+    for (const int v : *vertices) places.push_back(BarycentricPoint::at_vertex(v));
+  }
+  for (const auto point : handles.points.colwise()) places.push_back(place_at(point.head<2>()));
+  steps_->compile(places);
+  places_ = std::move(places);
+  fixed_ = std::ssize(handles.fixed);
+  targets_.resize(2, std::ssize(places_));
+  targets_.leftCols(fixed_) = rest_.V(Eigen::all, handles.fixed);
+}
+
+void Arap2d::reset() {
+  steps_->reset();
+  deformed_.V.topRows<2>() = rest_.V;
+}
+
+// Of the map from each triangle at rest to where it is now.
+void Arap2d::measure_triangles(Report& report) const {
+  report.min_det_R = std::numeric_limits<double>::infinity();
+  for (const auto f : rest_.F.colwise()) {
+    const double change = det(steps_->positions(), f) / det(rest_.V, f);
+    report.min_det_R = std::min(report.min_det_R, change);
+    report.inside_out += change < 0;
+  }
+}
+
+Report Arap2d::update(const Eigen::Matrix3Xd& targets) {
+  check_targets(targets, std::ssize(places_) - fixed_);
+  targets_.rightCols(targets.cols()) = targets.topRows<2>();
+  Report report;
+  {
+    Stopwatch watch(report.seconds["solve"]);
+    steps_->update(targets_);
+  }
+  report.solve = steps_->summary();
+  const Eigen::Matrix2Xd& V = steps_->positions();
+  if (!V.allFinite()) {
+    report.solve.status = Status::kFailed;
+    report.solve.message = "the targets are too far away to compute with";
+    return report;
+  }
+  deformed_.V.topRows<2>() = V;
+  report.nodes = static_cast<int>(V.cols());
+  measure_triangles(report);
+  Eigen::Matrix3Xd reached = targets;
+  for (Eigen::Index l = 0; l < targets.cols(); ++l) {
+    reached.col(l).head<2>() = places_[fixed_ + l].at(V);
+  }
+  measure_handles(reached, targets, report);
+  report.seconds.insert(seconds_.begin(), seconds_.end());
+  report.notes = steps_->notes();
+  return report;
+}
+
+}  // namespace deformlab

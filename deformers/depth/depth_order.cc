@@ -1,0 +1,185 @@
+#include "deformers/depth/depth_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <tuple>
+
+#include "geometry/core/error.h"
+#include "geometry/transfer/geodesic.h"
+
+namespace deformlab {
+namespace {
+
+using Distances = Eigen::VectorXd;
+
+// From the given vertices along the edges, each vertex from that of its part.
+Distances distances(const Shape& shape, const std::vector<int>& sources) {
+  return nearest_along_edges(shape, sources, 1).distances.row(0).transpose();
+}
+
+// In each part the first vertex at which `value` is greatest.
+std::vector<int> greatest(const std::vector<int>& part, const Eigen::VectorXd& value) {
+  std::vector<int> result;
+  for (int v = 0; v < static_cast<int>(part.size()); ++v) {
+    if (part[v] == static_cast<int>(result.size())) result.push_back(v);
+    int& best = result[part[v]];
+    if (value[v] > value[best]) best = v;
+  }
+  return result;
+}
+
+// #F means of what is given a vertex.
+Eigen::VectorXd over_triangles(const Triangulation& rest, const Eigen::VectorXd& order) {
+  if (order.size() != rest.V.cols() || !order.allFinite()) {
+    std::ostringstream what;
+    what << "the order has " << order.size() << " entries for " << rest.V.cols()
+         << " vertices; it needs one finite number for each, higher ones nearer to the viewer";
+    throw InputError(what.str());
+  }
+  Eigen::VectorXd result(rest.F.cols());
+  for (Eigen::Index t = 0; t < rest.F.cols(); ++t) result[t] = order(rest.F.col(t)).mean();
+  return result;
+}
+
+std::vector<int> sorted_by(const Eigen::VectorXd& order) {
+  std::vector<int> result(order.size());
+  std::iota(result.begin(), result.end(), 0);
+  std::ranges::stable_sort(result, {}, [&](int t) { return order[t]; });
+  return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd distance_from_middle(const Triangulation& rest) {
+  const Shape shape = to_shape(rest);
+  const std::vector<int> part = connected_parts(shape);
+  const auto first = greatest(part, Eigen::VectorXd::Zero(rest.V.cols()));
+  const auto one_end = greatest(part, distances(shape, first));
+  const Distances from_one_end = distances(shape, one_end);
+  const Distances from_other_end = distances(shape, greatest(part, from_one_end));
+  const auto middle = greatest(part, -from_one_end.cwiseMax(from_other_end));
+  Eigen::VectorXd order = distances(shape, middle);
+  double before = 0;  // depth of the parts so far
+  std::vector<double> offset;
+  for (const int end : greatest(part, order)) {
+    offset.push_back(before);
+    before += order[end];
+  }
+  for (Eigen::Index v = 0; v < order.size(); ++v) order[v] += offset[part[v]];
+  return order;
+}
+
+DepthOrder::DepthOrder(const Triangulation& rest, const Eigen::VectorXd& order)
+    : find_(rest),
+      order_(over_triangles(rest, order)),
+      by_order_(sorted_by(order_)),
+      stack_(by_order_),
+      depth_(Eigen::VectorXd::Zero(rest.F.cols())) {}
+
+void DepthOrder::reset() {
+  memory_.forget();
+  stack_ = DepthStack(by_order_);
+}
+
+const Eigen::VectorXd& DepthOrder::update(const Eigen::Matrix2Xd& V) {
+  overlaps_ = find_(V);
+  report_ = {.regions = static_cast<int>(overlaps_.regions.size()), .found = overlaps_.complete};
+  stack_.clear();
+  for (const Choice& choice : choices()) enter(choice);
+  remember();
+  if (overlaps_.complete) {
+    spread(stack_.heights());
+  } else {
+    for (std::size_t i = 0; i < by_order_.size(); ++i) depth_[by_order_[i]] = i;
+  }
+  return depth_;
+}
+
+// What each region would be shown as if it were alone, the weightiest first.
+std::vector<DepthOrder::Choice> DepthOrder::choices() const {
+  const auto recalled = memory_.recall(overlaps_);
+  std::vector<Choice> result;
+  for (int r = 0; r < report_.regions; ++r) {
+    double vote = recalled[r].vote;
+    const bool lasting = vote != 0;
+    if (!lasting) {
+      for (const TrianglePair& pair : overlaps_.pairs_of(overlaps_.regions[r])) {
+        vote += pair.area * (order_[pair.a] - order_[pair.b]);
+      }
+    }
+    result.push_back({r, vote > 0, lasting});
+  }
+  std::ranges::stable_sort(result, {}, [&](const Choice& c) {
+    return std::tuple(!c.lasting, -overlaps_.regions[c.region].area);
+  });
+  return result;
+}
+
+void DepthOrder::enter(const Choice& choice) {
+  const OverlapRegion& region = overlaps_.regions[choice.region];
+  report_.twisted += region.twisted;
+  if (put_all(region, choice.a_in_front)) {
+    report_.lasting += choice.lasting;
+  } else if (put_all(region, !choice.a_in_front)) {
+    report_.turned += choice.lasting;
+  } else {
+    put_each(region, choice.a_in_front);
+    ++report_.cyclic;
+  }
+}
+
+bool DepthOrder::put_all(const OverlapRegion& region, bool a_in_front) {
+  const std::size_t before = stack_.constraints();
+  for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
+    const auto [back, front] = a_in_front ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);
+    if (stack_.put(back, front)) continue;
+    stack_.take_back_to(before);
+    return false;
+  }
+  return true;
+}
+
+// What would close a circle goes the other way: the stack has those two so already.
+void DepthOrder::put_each(const OverlapRegion& region, bool a_in_front) {
+  for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
+    const auto [back, front] = a_in_front ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);
+    if (!stack_.put(back, front)) stack_.put(front, back);
+  }
+}
+
+void DepthOrder::remember() {
+  std::vector<bool> a_in_front;
+  for (const TrianglePair& pair : overlaps_.pairs) {
+    a_in_front.push_back(stack_.in_front(pair.a, pair.b));
+  }
+  memory_.keep(overlaps_, a_in_front);
+}
+
+// Triangles that overlap nothing take the greatest height of their neighbours, ring by ring.
+void DepthOrder::spread(const std::vector<int>& heights) {
+  constexpr int kFree = -1;
+  std::vector<int> height(heights.size(), kFree), ring, next;
+  for (const TrianglePair& pair : overlaps_.pairs) {
+    for (const int t : {pair.a, pair.b}) {
+      if (height[t] == kFree) ring.push_back(t);
+      height[t] = heights[t];
+    }
+  }
+  while (!ring.empty()) {
+    std::ranges::stable_sort(ring, std::greater<>(), [&](int t) { return height[t]; });
+    next.clear();
+    for (const int t : ring) {
+      for (const int n : find_.neighbours().col(t)) {
+        if (n < 0 || height[n] != kFree) continue;
+        height[n] = height[t];
+        next.push_back(n);
+      }
+    }
+    ring.swap(next);
+  }
+  for (std::size_t t = 0; t < height.size(); ++t) depth_[t] = std::max(0, height[t]);
+}
+
+}  // namespace deformlab

@@ -1,0 +1,171 @@
+#include "drawing/bitmap/texture_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "drawing/bitmap/rim.h"
+#include "geometry/core/error.h"
+#include "geometry/core/workers.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kBand = 32;               // rows drawn at once
+constexpr int kMostSamples = 8;         // along each side of a pixel, where the texture shrinks
+constexpr double kSamePlace = 2;        // nearer places of the texture are one layer, drawn twice
+constexpr double kOpaqueEnough = 1e-4;  // what is left to see through
+
+/// A triangle to be drawn.
+struct Piece {
+  Eigen::Matrix<double, 2, 3> at;    ///< in the output
+  Eigen::Matrix<double, 2, 3> from;  ///< in the texture
+  double depth;
+  bool rim;
+};
+
+/// A piece that covers a pixel.
+struct Hit {
+  int pixel;
+  std::size_t piece;
+  Eigen::Vector2d source;  ///< its centre's place in the texture
+};
+
+/// How the place in the texture changes from pixel to pixel of the output.
+Eigen::Matrix2d change(const Piece& piece) {
+  const Eigen::Vector3d at_zero = barycentric(piece.at, {0, 0});
+  Eigen::Matrix2d J;
+  J << piece.from * (barycentric(piece.at, {1, 0}) - at_zero),
+      piece.from * (barycentric(piece.at, {0, 1}) - at_zero);
+  return J;
+}
+
+double greatest_stretch(const Eigen::Matrix2d& J) {
+  const Eigen::Matrix2d S = J.transpose() * J;
+  const double half = S.trace() / 2, off = (S(0, 0) - S(1, 1)) / 2;
+  return std::sqrt(half + std::hypot(off, S(0, 1)));
+}
+
+/// Premultiplied colour and alpha, 0 … 1; all beyond the bitmap is transparent.
+Eigen::Vector4d texel(const Bitmap& texture, int x, int y) {
+  if (x < 0 || y < 0 || x >= texture.width || y >= texture.height) return Eigen::Vector4d::Zero();
+  const std::uint8_t* p = texture.pixel(x, y);
+  const double a = p[3] / 255.0;
+  return {a * p[0] / 255.0, a * p[1] / 255.0, a * p[2] / 255.0, a};
+}
+
+Eigen::Vector4d bilinear(const Bitmap& texture, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d limit(texture.width + 1, texture.height + 1);
+  const Eigen::Vector2d p =
+      (place.array() - 0.5).matrix().cwiseMax(Eigen::Vector2d(-2, -2)).cwiseMin(limit);
+  const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
+  const double u = p.x() - x, v = p.y() - y;
+  return (1 - v) * ((1 - u) * texel(texture, x, y) + u * texel(texture, x + 1, y)) +
+         v * ((1 - u) * texel(texture, x, y + 1) + u * texel(texture, x + 1, y + 1));
+}
+
+/// The mean of the texture over what the pixel covers of it.
+Eigen::Vector4d sample(const Bitmap& texture, const Piece& piece, const Eigen::Vector2d& center) {
+  const Eigen::Matrix2d J = change(piece);
+  const double stretch = std::min<double>(kMostSamples, greatest_stretch(J));
+  const int n = std::max(1, static_cast<int>(std::ceil(stretch - 0.05)));
+  if (n == 1) return bilinear(texture, center);
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (int i = 0; i < n * n; ++i) {
+    const Eigen::Vector2d offset((i % n + 0.5) / n - 0.5, (i / n + 0.5) / n - 0.5);
+    sum += bilinear(texture, center + J * offset);
+  }
+  return sum / (n * n);
+}
+
+/// The hits of one pixel, from the front to the back, blended.
+Eigen::Vector4d blend(const Bitmap& texture, const std::vector<Piece>& pieces, const Hit* begin,
+                      const Hit* end) {
+  Eigen::Vector4d color = Eigen::Vector4d::Zero();
+  for (const Hit* hit = begin; hit != end && color[3] < 1 - kOpaqueEnough; ++hit) {
+    const bool drawn = std::any_of(begin, hit, [&](const Hit& other) {
+      return (other.source - hit->source).squaredNorm() < kSamePlace * kSamePlace;
+    });
+    if (!drawn) color += (1 - color[3]) * sample(texture, pieces[hit->piece], hit->source);
+  }
+  return color;
+}
+
+void store(const Eigen::Vector4d& premultiplied, std::uint8_t* pixel) {
+  const double a = premultiplied[3];
+  pixel[3] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(a, 0.0, 1.0)));
+  if (pixel[3] == 0) return;
+  for (int c = 0; c < 3; ++c)
+    pixel[c] =
+        static_cast<std::uint8_t>(std::lround(255 * std::clamp(premultiplied[c] / a, 0.0, 1.0)));
+}
+
+/// Draws the rows of `box`, whose first is row `top` of the output.
+void draw_band(const Bitmap& texture, const std::vector<Piece>& pieces,
+               const std::vector<std::size_t>& here, const PixelBox& box, Bitmap& out) {
+  std::vector<Hit> hits;
+  for (const std::size_t i : here)
+    for_each_pixel(pieces[i].at, box, [&](int x, int y, const Eigen::Vector3d& b) {
+      hits.push_back({(y - box.top) * box.width + x, i, pieces[i].from * b});
+    });
+  std::ranges::sort(hits, [&](const Hit& a, const Hit& b) {
+    const Piece &p = pieces[a.piece], &q = pieces[b.piece];
+    return std::tuple(a.pixel, -p.depth, p.rim, b.piece) <
+           std::tuple(b.pixel, -q.depth, q.rim, a.piece);
+  });
+  for (auto begin = hits.begin(); begin != hits.end();) {
+    const auto end =
+        std::find_if(begin, hits.end(), [&](const Hit& hit) { return hit.pixel != begin->pixel; });
+    const Eigen::Vector4d color = blend(texture, pieces, &*begin, &*begin + (end - begin));
+    store(color, out.pixel(begin->pixel % box.width, box.top + begin->pixel / box.width));
+    begin = end;
+  }
+}
+
+/// For each band of rows the pieces that reach into it.
+std::vector<std::vector<std::size_t>> by_band(const std::vector<Piece>& pieces, int height) {
+  std::vector<std::vector<std::size_t>> bands(
+      static_cast<std::size_t>((height + kBand - 1) / kBand));
+  const double last = static_cast<double>(bands.size()) - 1;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double from = std::max(0.0, std::floor(pieces[i].at.row(1).minCoeff() / kBand));
+    const double to = std::min(last, std::floor(pieces[i].at.row(1).maxCoeff() / kBand));
+    for (double b = from; b <= to; ++b) bands[static_cast<std::size_t>(b)].push_back(i);
+  }
+  return bands;
+}
+
+}  // namespace
+
+TextureMap::TextureMap(Bitmap texture, Triangulation rest)
+    : texture_(std::move(texture)), rest_(std::move(rest)) {
+  rim_rest_ = squares_beyond(rest_, texture_);
+  rim_ = Binding(rest_, Locator(rest_), rim_rest_.V);
+}
+
+Bitmap TextureMap::draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
+                        const PixelBox& box) const {
+  if (V.cols() != rest_.V.cols() || !V.allFinite())
+    throw InputError("cannot draw: the deformed vertices must be as many as at rest, and finite");
+  Bitmap out(box.width, box.height);
+  const Eigen::Vector2d origin(box.left, box.top);
+  const Eigen::Matrix2Xd rim = rim_(V);
+  std::vector<Piece> pieces;
+  const auto depth_of = [&](Eigen::Index f) { return depth.size() > 0 ? depth[f] : 0.0; };
+  for (Eigen::Index f = 0; f < rest_.F.cols(); ++f)
+    pieces.push_back({corners(V, rest_.F, f).colwise() - origin, corners(rest_.V, rest_.F, f),
+                      depth_of(f), false});
+  for (Eigen::Index f = 0; f < rim_rest_.F.cols(); ++f)
+    pieces.push_back({corners(rim, rim_rest_.F, f).colwise() - origin,
+                      corners(rim_rest_.V, rim_rest_.F, f),
+                      depth_of(rim_.triangle(rim_rest_.F(0, f))), true});
+  const auto bands = by_band(pieces, box.height);
+  Workers(0).each(static_cast<int>(bands.size()), [&](int band) {
+    const int top = band * kBand, rows = std::min(kBand, box.height - top);
+    draw_band(texture_, pieces, bands[static_cast<std::size_t>(band)], {0, top, box.width, rows},
+              out);
+  });
+  return out;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,69 @@
+#include "drawing/bound_drawing.h"
+
+#include <cmath>
+
+#include "drawing/paint.h"
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kTouching = 1e-6;  // steps that leaving the page takes
+
+/// The mesh in pixels of a picture of the page.
+Triangulation in_pixels(const Triangulation& mesh, const Page& page, double resolution) {
+  return {(mesh.V.colwise() - page.min()) * resolution, mesh.F};
+}
+
+/// Adds the columns of `moved` whose place at rest is on the page.
+void extend(const Eigen::Matrix2Xd& rest, const Eigen::Matrix2Xd& moved, const Page& page,
+            Page& reach) {
+  for (Eigen::Index i = 0; i < rest.cols(); ++i)
+    if (page.contains(Eigen::Vector2d(rest.col(i)))) reach.extend(Eigen::Vector2d(moved.col(i)));
+}
+
+}  // namespace
+
+BoundDrawing::BoundDrawing(Drawing drawing, Triangulation rest)
+    : drawing_(std::move(drawing)),
+      rest_(std::move(rest)),
+      paths_(drawing_.paths, rest_, Locator(rest_)) {
+  if (drawing_.bitmap) texture_.emplace(*drawing_.bitmap, in_pixels(rest_, drawing_.page, 1));
+}
+
+Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
+                             const Page& page, double resolution) const {
+  const Eigen::Vector2d size = (page.sizes() * resolution).array().round().max(1);
+  const std::string problem = size_problem(size.x(), size.y());
+  if (!problem.empty()) throw InputError("cannot draw a page of " + problem);
+  if (!texture_ && depth.size() == 0) return rasterized(paths_(V), page, resolution);
+  const Eigen::Matrix2Xd at = (V.colwise() - page.min()) * resolution;
+  const PixelBox box{0, 0, static_cast<int>(size.x()), static_cast<int>(size.y())};
+  if (texture_) return texture_->draw(at, depth, box);
+  return TextureMap(rasterized(drawing_.paths, drawing_.page, resolution),
+                    in_pixels(rest_, drawing_.page, resolution))
+      .draw(at, depth, box);
+}
+
+Page BoundDrawing::page_for(const Eigen::Matrix2Xd& V, double step) const {
+  if (!V.allFinite()) throw InputError("cannot draw: a deformed vertex is not finite");
+  const Page& page = drawing_.page;
+  Page reach;
+  extend(rest_.V, V, page, reach);
+  double beyond = 1;  // half a stroke and a pixel: what is painted beside control points
+  const std::vector<VectorPath> moved = paths_(V);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    beyond = std::max(beyond, 1 + moved[i].stroke_width / step / 2);
+    for (std::size_t c = 0; c < moved[i].outlines.curves.size(); ++c)
+      extend(drawing_.paths[i].outlines.curves[c].points, moved[i].outlines.curves[c].points, page,
+             reach);
+  }
+  if (texture_) extend(texture_->rim_at_rest(), texture_->rim(V), page, reach);
+  const auto grown = [&](const Eigen::Vector2d& by) -> Eigen::Vector2d {
+    return (by.array() > kTouching * step).select((by.array() / step + beyond).ceil() * step, 0.0);
+  };
+  return {page.min() - grown(page.min() - reach.min()),
+          page.max() + grown(reach.max() - page.max())};
+}
+
+}  // namespace deformlab

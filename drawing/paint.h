@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <vector>
+
+#include "drawing/bitmap/bitmap.h"
+#include "drawing/vector/vector_path.h"
+
+using cairo_t = struct _cairo;
+
+namespace deformlab {
+
+/// Paints a path in the coordinates that Cairo's transformation gives.
+void paint(cairo_t* cairo, const VectorPath& path);
+
+/// What `draw` paints on a transparent ground, Cairo's unit being a pixel. Throws InputError for a
+/// size that a Bitmap cannot have.
+Bitmap painted(int width, int height, const std::function<void(cairo_t*)>& draw);
+
+/// The paths on a transparent page, `resolution` pixels a unit of length; the page's least corner
+/// is that of pixel (0, 0). Throws InputError for a size that a Bitmap cannot have.
+Bitmap rasterized(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page,
+                  double resolution);
+
+}  // namespace deformlab

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "drawing/binding.h"
+#include "drawing/bitmap/background.h"
+#include "drawing/drawing.h"
+#include "drawing/kept_part.h"
+#include "drawing/paint.h"
+#include "drawing/vector/curves.h"
+#include "drawing/vector/read_svg.h"
+#include "geometry/core/error.h"
+#include "geometry/core/files.h"
+#include "geometry/shape/shape_io.h"
+#include "geometry/shape/shape_text.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<double, 4> kFill{0.87, 0.84, 0.805, 1}, kLine{0.30, 0.45, 0.68, 1};
+constexpr double kLineWidth = 0.002, kMargin = 0.02;  // as parts of the page's diagonal
+
+void note_the_rest(const Silhouette& found, std::vector<std::string>& notes) {
+  if (found.left_out > 0) {
+    char share[16];
+    std::snprintf(share, sizeof share, "%.2g %%", 100 * found.left_out_share);
+    notes.push_back("kept the largest part and left out " + std::to_string(found.left_out) +
+                    " detached from it, " + share + " of the area");
+  }
+  if (found.filled_holes > 0)
+    notes.push_back("filled " + std::to_string(found.filled_holes) + " holes");
+}
+
+Drawing read_bitmap(const fs::path& path, const DrawingOptions& options) {
+  Bitmap bitmap = read_png(path);
+  if (bitmap.width < 3 || bitmap.height < 3)
+    cannot_read(path, "it has " + std::to_string(bitmap.width) + "×" +
+                          std::to_string(bitmap.height) +
+                          " pixels; a silhouette needs at least 3×3");
+  Drawing drawing;
+  if (!has_transparency(bitmap))
+    drawing.notes.push_back(remove_background(bitmap, options.background, path));
+  const Silhouette found = trace(alpha_of(bitmap), options.trace, path.string());
+  note_the_rest(found, drawing.notes);
+  drawing.region = found.region;
+  if (found.left_out > 0) keep_only(drawing.region, options.trace.threshold, bitmap);
+  drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(bitmap.width, bitmap.height)};
+  drawing.bitmap = std::move(bitmap);
+  return drawing;
+}
+
+void cut_pieces(std::vector<Curve>& curves, double longest) {
+  for (Curve& curve : curves) curve = cut(curve, longest);
+}
+
+/// Which pixels belong to a region, whose coordinates times `resolution` are pixels.
+class RegionMask {
+ public:
+  RegionMask(const Region& region, const Bitmap& size)
+      : width_(size.width), inside_(size.rgba.size() / 4) {
+    for_each_pixel_inside(region, size.width, size.height,
+                          [&](int x, int y) { inside_[index(x, y)] = true; });
+  }
+
+  /// Whether the pixel there, or one beside it, belongs to the region.
+  bool near(const Eigen::Vector2d& place) const {
+    const int height = static_cast<int>(inside_.size()) / width_;
+    const Eigen::Vector2d pixel = place.array().floor();
+    for (double y = std::max(0.0, pixel.y() - 1); y <= std::min(height - 1.0, pixel.y() + 1); ++y)
+      for (double x = std::max(0.0, pixel.x() - 1); x <= std::min(width_ - 1.0, pixel.x() + 1); ++x)
+        if (inside_[index(static_cast<int>(x), static_cast<int>(y))]) return true;
+    return false;
+  }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  int width_;
+  std::vector<bool> inside_;
+};
+
+/// Leaves out the paths of which no point is near the region.
+void keep_paths(const RegionMask& mask, double resolution, Drawing& drawing) {
+  const std::size_t before = drawing.paths.size();
+  std::erase_if(drawing.paths, [&](const VectorPath& path) {
+    return std::ranges::none_of(path.outlines.curves, [&](const Curve& curve) {
+      for (Eigen::Index i = 0; i < curve.points.cols(); i += 3)
+        if (mask.near(resolution * curve.points.col(i))) return true;
+      return false;
+    });
+  });
+  if (before != drawing.paths.size())
+    drawing.notes.push_back("left out " + std::to_string(before - drawing.paths.size()) +
+                            " paths that are not on it");
+}
+
+/// Traces what the paths paint, in pixels small enough for the outline.
+void trace_paths(const fs::path& path, const DrawingOptions& options, Drawing& drawing) {
+  const double resolution = options.outline / drawing.page.sizes().maxCoeff();
+  TraceOptions in_pixels = options.trace;
+  in_pixels.least_hole *= resolution * resolution;
+  const Bitmap painted = rasterized(drawing.paths, drawing.page, resolution);
+  const Silhouette found = trace(alpha_of(painted), in_pixels, path.string());
+  note_the_rest(found, drawing.notes);
+  if (found.left_out > 0) keep_paths(RegionMask(found.region, painted), resolution, drawing);
+  drawing.region = found.region;
+  drawing.region.outline /= resolution;
+  for (Eigen::Matrix2Xd& hole : drawing.region.holes) hole /= resolution;
+}
+
+Drawing read_vector(const fs::path& path, const DrawingOptions& options) {
+  VectorDrawing svg = read_svg(path);
+  Drawing drawing;
+  drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(svg.width, svg.height)};
+  drawing.notes = std::move(svg.notes);
+  drawing.paths = std::move(svg.paths);
+  const double longest = options.piece * drawing.page.diagonal().norm();
+  for (VectorPath& painted : drawing.paths) {
+    cut_pieces(painted.outlines.curves, longest);
+    for (Outlines& clip : painted.clips) cut_pieces(clip.curves, longest);
+  }
+  trace_paths(path, options, drawing);
+  return drawing;
+}
+
+/// The page around points that have none.
+Page page_around(const Eigen::Matrix2Xd& points) {
+  Page page(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * page.diagonal().norm());
+  return {page.min() - margin, page.max() + margin};
+}
+
+VectorPath outlined(Curve curve, const Page& page) {
+  VectorPath path;
+  path.outlines.curves.push_back(std::move(curve));
+  path.fill = plain(kFill);
+  path.stroke = plain(kLine);
+  path.stroke_width = kLineWidth * page.diagonal().norm();
+  path.join = VectorPath::Join::kRound;
+  return path;
+}
+
+Drawing read_polygon(const fs::path& path, const DrawingOptions& options) {
+  const std::string bytes = read_file(path);
+  std::vector<double> coordinates;
+  for (formats::Lines lines(bytes); lines.next();) {
+    const auto& words = lines.tokens();
+    const auto x = formats::to_number(words.front().text),
+               y = formats::to_number(words.back().text);
+    if (words.size() != 2 || !x || !y)
+      cannot_read(path, lines.number() + " must be the two coordinates of a corner, 'x y'");
+    coordinates.insert(coordinates.end(), {*x, *y});
+  }
+  const Eigen::Matrix2Xd corners =
+      Eigen::Matrix2Xd::Map(coordinates.data(), 2, std::ssize(coordinates) / 2);
+  Drawing drawing;
+  drawing.region = checked({corners, {}}, path.string());
+  drawing.page = page_around(corners);
+  drawing.paths = {
+      outlined(cut(polygon(drawing.region.outline), options.piece * drawing.page.diagonal().norm()),
+               drawing.page)};
+  return drawing;
+}
+
+Drawing read_mesh(const fs::path& path) {
+  Drawing drawing;
+  drawing.mesh = flat(read_shape(path), path.string());
+  drawing.page = page_around(drawing.mesh->V);
+  for (Eigen::Index f = 0; f < drawing.mesh->F.cols(); ++f)
+    drawing.paths.push_back(
+        outlined(polygon(corners(drawing.mesh->V, drawing.mesh->F, f)), drawing.page));
+  return drawing;
+}
+
+void check(const DrawingOptions& o) {
+  const auto require = [](bool good, const char* key, double value, const char* allowed) {
+    if (good) return;
+    throw InputError(std::string(key) + " is " + std::to_string(value) + "; it must be " + allowed);
+  };
+  require(o.background >= 0 && o.background <= 1, "background", o.background, "0 … 1");
+  require(o.outline >= 16 && o.outline <= 10000, "outline", o.outline, "16 … 10,000");
+  require(o.piece >= 1e-4 && o.piece <= 1, "piece", o.piece, "0.0001 … 1");
+}
+
+Drawing read_by_extension(const fs::path& path, const DrawingOptions& options) {
+  const std::string extension = extension_of(path);
+  if (extension == ".png") return read_bitmap(path, options);
+  if (extension == ".svg") return read_vector(path, options);
+  if (extension == ".txt") return read_polygon(path, options);
+  if (extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl")
+    return read_mesh(path);
+  throw InputError("cannot read '" + path.string() + "' as a drawing: unknown extension '" +
+                   extension + "'; known: .png, .svg, .txt, .obj, .off, .ply, .stl");
+}
+
+}  // namespace
+
+Drawing read_drawing(const fs::path& path, const DrawingOptions& options) {
+  check(options);
+  Drawing drawing = read_by_extension(path, options);
+  drawing.file = path;
+  return drawing;
+}
+
+}  // namespace deformlab

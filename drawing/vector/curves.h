@@ -1,0 +1,16 @@
+#pragma once
+
+#include "drawing/vector/vector_path.h"
+
+namespace deformlab {
+
+/// The polygon through the corners (2×n), each side a straight cubic; closed: back to the first.
+Curve polygon(const Eigen::Matrix2Xd& corners, bool closed = true);
+
+/// The same curve in pieces whose control polygons are no longer than `longest` [length].
+Curve cut(const Curve& curve, double longest);
+
+/// A fill or stroke of one colour (straight sRGB and alpha, 0 … 1).
+Paint plain(const std::array<double, 4>& color);
+
+}  // namespace deformlab

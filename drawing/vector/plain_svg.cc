@@ -1,0 +1,150 @@
+#include "drawing/vector/plain_svg.h"
+
+#include <cairo-svg.h>
+#include <librsvg/rsvg.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <pugixml.hpp>
+
+#include "geometry/core/files.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Cairo keeps coordinates to 1/256 of a unit, and below 2²³ units.
+constexpr double kUnitsAcross = 1 << 21;
+constexpr double kMostAcross = 1e6;  // pixels
+
+/// Above what any sheet in the file says. Without text no font is looked for.
+constexpr std::string_view kStyleSheet =
+    "text, image, foreignObject { display: none !important }"
+    "* { filter: none !important; mask: none !important }";
+
+struct Unref {
+  void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
+  void operator()(GError* error) const { g_error_free(error); }
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+};
+
+/// Calls function(…, &error) and throws what it complains of.
+template <class Function>
+auto checked_call(const fs::path& name, const Function& function) {
+  GError* raw = nullptr;
+  const auto result = function(&raw);
+  const std::unique_ptr<GError, Unref> error(raw);
+  if (!result || error) {
+    std::string what = error ? error->message : "librsvg gives no cause";
+    std::ranges::replace(what, '\n', ' ');
+    cannot_read(name, what);
+  }
+  return result;
+}
+
+const guint8* unsigned_bytes(std::string_view text) {
+  return reinterpret_cast<const guint8*>(text.data());
+}
+
+std::unique_ptr<RsvgHandle, Unref> open(const std::string& bytes, const fs::path& name) {
+  std::unique_ptr<RsvgHandle, Unref> handle(checked_call(name, [&](GError** error) {
+    return rsvg_handle_new_from_data(unsigned_bytes(bytes), bytes.size(), error);
+  }));
+  checked_call(name, [&](GError** error) {
+    return rsvg_handle_set_stylesheet(handle.get(), unsigned_bytes(kStyleSheet), kStyleSheet.size(),
+                                      error);
+  });
+  rsvg_handle_set_dpi(handle.get(), 96);
+  return handle;
+}
+
+/// The page's size: what the file says, else its view box, else what it paints.
+void set_size(RsvgHandle* handle, const fs::path& name, PlainSvg& svg) {
+  if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &svg.width, &svg.height) == 0) {
+    gboolean has_box = 0;
+    RsvgRectangle box{};
+    rsvg_handle_get_intrinsic_dimensions(handle, nullptr, nullptr, nullptr, nullptr, &has_box,
+                                         &box);
+    if (has_box == 0) {
+      checked_call(name, [&](GError** error) {
+        return rsvg_handle_get_geometry_for_element(handle, nullptr, &box, nullptr, error);
+      });
+      box.width += box.x;
+      box.height += box.y;
+    }
+    svg.width = box.width;
+    svg.height = box.height;
+  }
+  if (!(svg.width > 0 && svg.height > 0)) cannot_read(name, "it shows nothing: its page is empty");
+  const double longer = std::max(svg.width, svg.height);
+  if (!(longer <= kMostAcross && std::min(svg.width, svg.height) >= longer / kMostAcross))
+    cannot_read(name, "its page is " + std::to_string(svg.width) + "×" +
+                          std::to_string(svg.height) +
+                          " pixels; at most a million pixels, and a "
+                          "million times as long as wide, are allowed");
+}
+
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void paint(RsvgHandle* handle, const fs::path& name, PlainSvg& svg) {
+  const RsvgRectangle page{0, 0, svg.width * svg.scale, svg.height * svg.scale};
+  const std::unique_ptr<cairo_surface_t, Unref> surface(
+      cairo_svg_surface_create_for_stream(append, &svg.text, page.width, page.height));
+  const std::unique_ptr<cairo_t, Unref> cairo(cairo_create(surface.get()));
+  checked_call(name, [&](GError** error) {
+    return rsvg_handle_render_document(handle, cairo.get(), &page, error);
+  });
+  cairo_surface_finish(surface.get());
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    cannot_read(name, cairo_status_to_string(cairo_surface_status(surface.get())));
+}
+
+/// What in the file the style sheet hides, and references that lead out of it.
+struct Hidden : pugi::xml_tree_walker {
+  std::map<std::string, int> counts;
+
+  bool for_each(pugi::xml_node& node) override {
+    const std::string_view qualified = node.name();
+    const std::string_view name = qualified.substr(qualified.find(':') + 1);
+    if (name == "text") ++counts["text"];
+    if (name == "image" || name == "foreignObject") ++counts["images"];
+    for (const pugi::xml_attribute& attribute : node.attributes())
+      look_at(attribute.name(), attribute.value(), name == "a");
+    return true;
+  }
+
+  void look_at(std::string_view name, std::string_view value, bool is_link) {
+    for (const std::string& effect : {std::string("filter"), std::string("mask")}) {
+      const bool here = name == effect && value.starts_with("url");
+      const bool in_style = name == "style" && value.find(effect + ":url") != value.npos;
+      if (here || in_style) ++counts[effect + "s"];
+    }
+    const bool reference = name == "href" || name.ends_with(":href");
+    const bool inside = value.empty() || value.starts_with('#') || value.starts_with("data:");
+    if (reference && !inside && !is_link) ++counts["references to other files"];
+  }
+};
+
+}  // namespace
+
+PlainSvg to_plain_svg(const std::string& bytes, const fs::path& name) {
+  const auto handle = open(bytes, name);
+  PlainSvg svg;
+  set_size(handle.get(), name, svg);
+  svg.scale = kUnitsAcross / std::max(svg.width, svg.height);
+  paint(handle.get(), name, svg);
+  pugi::xml_document document;
+  Hidden hidden;
+  if (document.load_buffer(bytes.data(), bytes.size())) document.traverse(hidden);
+  for (const auto& [what, count] : hidden.counts)
+    svg.notes.push_back("left out: " + what + " (" + std::to_string(count) + ")");
+  return svg;
+}
+
+}  // namespace deformlab

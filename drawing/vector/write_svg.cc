@@ -1,0 +1,157 @@
+#include "drawing/vector/write_svg.h"
+
+#include <charconv>
+#include <cmath>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "drawing/vector/gradient.h"
+#include "geometry/core/files.h"
+
+namespace deformlab {
+namespace {
+
+/// With four digits behind the point at most, whatever the locale.
+std::string number(double value) {
+  char text[64];
+  const double rounded = std::round(value * 1e4) / 1e4 + 0.0;  // + 0 makes −0 a 0
+  const auto end = std::to_chars(text, text + sizeof text, rounded).ptr;
+  return {text, end};
+}
+
+std::string pair(const Eigen::Vector2d& p) { return number(p.x()) + " " + number(p.y()); }
+
+std::string to_data(const Outlines& outlines) {
+  std::string data;
+  for (const Curve& curve : outlines.curves) {
+    data += (data.empty() ? "M " : " M ") + pair(curve.points.col(0));
+    for (Eigen::Index i = 1; i < curve.points.cols(); ++i)
+      data += (i % 3 == 1 ? " C " : " ") + pair(curve.points.col(i));
+    if (curve.closed) data += " Z";
+  }
+  return data;
+}
+
+std::string to_color(const std::array<double, 4>& color) {
+  char text[8];
+  const auto byte = [](double v) { return static_cast<unsigned>(std::lround(255 * v)) & 255; };
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color[0]), byte(color[1]), byte(color[2]));
+  return text;
+}
+
+class Writer {
+ public:
+  Writer(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page) {
+    root_ = document_.append_child("svg");
+    set(root_, "xmlns", "http://www.w3.org/2000/svg");
+    set(root_, "width", number(page.sizes().x()));
+    set(root_, "height", number(page.sizes().y()));
+    set(root_, "viewBox", pair(page.min()) + " " + pair(page.sizes()));
+    definitions_ = root_.append_child("defs");
+    for (const VectorPath& path : paths) add(path);
+    if (!definitions_.first_child()) root_.remove_child(definitions_);
+  }
+
+  std::string text() const {
+    std::ostringstream out;
+    document_.save(out, " ");
+    return out.str();
+  }
+
+ private:
+  static void set(pugi::xml_node& node, const char* name, const std::string& value) {
+    node.append_attribute(name).set_value(value.c_str());
+  }
+
+  void add(const VectorPath& path) {
+    pugi::xml_node parent = root_;
+    for (const Outlines& clip : path.clips) {
+      const std::string id = define(clip);
+      parent = parent.append_child("g");
+      set(parent, "clip-path", "url(#" + id + ")");
+    }
+    pugi::xml_node node = parent.append_child("path");
+    set(node, "d", to_data(path.outlines));
+    set_paint(node, "fill", path.fill);
+    if (path.outlines.even_odd) set(node, "fill-rule", "evenodd");
+    if (path.stroke.kind == Paint::Kind::kNone) return;
+    set_paint(node, "stroke", path.stroke);
+    set_line(node, path);
+  }
+
+  static void set_line(pugi::xml_node& node, const VectorPath& path) {
+    set(node, "stroke-width", number(path.stroke_width));
+    set(node, "stroke-miterlimit", number(path.miter_limit));
+    if (path.cap != VectorPath::Cap::kButt)
+      set(node, "stroke-linecap", path.cap == VectorPath::Cap::kRound ? "round" : "square");
+    if (path.join != VectorPath::Join::kMiter)
+      set(node, "stroke-linejoin", path.join == VectorPath::Join::kRound ? "round" : "bevel");
+    std::string dashes;
+    for (const double length : path.dashes) dashes += number(length) + " ";
+    if (!dashes.empty()) set(node, "stroke-dasharray", dashes);
+    if (!dashes.empty()) set(node, "stroke-dashoffset", number(path.dash_offset));
+  }
+
+  void set_paint(pugi::xml_node& node, const std::string& use, const Paint& paint) {
+    if (paint.kind == Paint::Kind::kNone) return set(node, use.c_str(), "none");
+    const bool flat = paint.kind == Paint::Kind::kColor;
+    const auto frame = flat ? std::nullopt : frame_of(paint);
+    if (frame) return set(node, use.c_str(), "url(#" + define(paint, *frame) + ")");
+    const auto& color = paint.stops.back().color;
+    set(node, use.c_str(), to_color(color));
+    if (color[3] < 1) set(node, (use + "-opacity").c_str(), number(color[3]));
+  }
+
+  std::string define(const Outlines& clip) {
+    pugi::xml_node node = definitions_.append_child("clipPath");
+    const std::string id = "clip" + std::to_string(++count_);
+    set(node, "id", id);
+    pugi::xml_node path = node.append_child("path");
+    set(path, "d", to_data(clip));
+    if (clip.even_odd) set(path, "clip-rule", "evenodd");
+    return id;
+  }
+
+  std::string define(const Paint& paint, const GradientFrame& frame) {
+    const bool radial = paint.kind == Paint::Kind::kRadial;
+    pugi::xml_node node = definitions_.append_child(radial ? "radialGradient" : "linearGradient");
+    const std::string id = "paint" + std::to_string(++count_);
+    set(node, "id", id);
+    set(node, "gradientUnits", "userSpaceOnUse");
+    const auto& m = frame.to_page.matrix();
+    set(node, "gradientTransform",
+        "matrix(" + pair(m.col(0).head<2>()) + " " + pair(m.col(1).head<2>()) + " " +
+            pair(m.col(2).head<2>()) + ")");
+    const std::vector<std::pair<const char*, double>> places =
+        radial ? std::vector<std::pair<const char*, double>>{{"cx", 0},
+                                                             {"cy", 0},
+                                                             {"r", 1},
+                                                             {"fx", frame.focus.x()},
+                                                             {"fy", frame.focus.y()}}
+               : std::vector<std::pair<const char*, double>>{
+                     {"x1", 0}, {"y1", 0}, {"x2", 1}, {"y2", 0}};
+    for (const auto& [name, value] : places) set(node, name, number(value));
+    if (paint.spread != Paint::Spread::kPad)
+      set(node, "spreadMethod", paint.spread == Paint::Spread::kRepeat ? "repeat" : "reflect");
+    for (const auto& [offset, color] : paint.stops) {
+      pugi::xml_node stop = node.append_child("stop");
+      set(stop, "offset", number(offset));
+      set(stop, "stop-color", to_color(color));
+      if (color[3] < 1) set(stop, "stop-opacity", number(color[3]));
+    }
+    return id;
+  }
+
+  pugi::xml_document document_;
+  pugi::xml_node root_, definitions_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+void write_svg(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page,
+               const std::filesystem::path& path) {
+  write_file(path, Writer(paths, page).text());
+}
+
+}  // namespace deformlab

@@ -1,0 +1,110 @@
+#include "drawing/write_drawing.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "drawing/vector/write_svg.h"
+#include "geometry/core/error.h"
+#include "geometry/core/files.h"
+#include "geometry/shape/shape_io.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const char* format, double a, double b, double c, double d) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, a, b, c, d);
+  return text;
+}
+
+double resolution_for(const Drawing& drawing, double asked) {
+  constexpr double kLeast = 200, kMost = 4000, kAcross = 1000;  // [pixel]
+  if (!(asked >= 0 && asked <= 1e6))
+    throw InputError("resolution is " + std::to_string(asked) + "; it must be 0 … 1,000,000");
+  if (asked > 0) return asked;
+  const double longer = drawing.page.sizes().maxCoeff();
+  const bool has_pixels = drawing.bitmap || extension_of(drawing.file) == ".svg";
+  return has_pixels && (drawing.bitmap || (longer >= kLeast && longer <= kMost)) ? 1
+                                                                                 : kAcross / longer;
+}
+
+/// Faces with places in the page as texture coordinates; OBJ has these from the lower left corner.
+std::string to_obj(const BoundDrawing& drawing, const Eigen::Matrix2Xd& V) {
+  const Page& page = drawing.drawing().page;
+  const Eigen::Matrix2Xd places =
+      page.sizes().cwiseInverse().asDiagonal() * (drawing.rest().V.colwise() - page.min());
+  std::string text;
+  for (const auto& v : V.colwise()) text += text_of("v %.17g %.17g 0\n", v.x(), v.y(), 0, 0);
+  for (const auto& p : places.colwise()) text += text_of("vt %.9g %.9g\n", p.x(), 1 - p.y(), 0, 0);
+  for (const auto& f : drawing.rest().F.colwise()) {
+    text += "f";
+    for (const int corner : f) {
+      const std::string number = std::to_string(corner + 1);
+      text += " " + number + "/" + number;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void write_mesh(const fs::path& out, const BoundDrawing& drawing, const Eigen::Matrix2Xd& V) {
+  const fs::path& file = drawing.drawing().file;
+  const bool same = drawing.drawing().mesh && extension_of(file) == extension_of(out);
+  if (!same && extension_of(out) == ".obj") return write_file(out, to_obj(drawing, V));
+  Shape shape = same ? read_shape(file) : to_shape(drawing.rest());
+  shape.V.topRows<2>() = V;
+  write_shape(out, shape, same ? file : fs::path());
+}
+
+/// How much a page grew on each side, as a word for the user.
+std::vector<std::string> growth(const Page& from, const Page& to) {
+  const Eigen::Vector2d before = from.min() - to.min(), after = to.max() - from.max();
+  if (before.isZero() && after.isZero()) return {};
+  return {text_of("the page grew by %g to the left, %g to the top, %g to the right and %g to the "
+                  "bottom to hold the shape",
+                  before.x(), before.y(), after.x(), after.y()) +
+          text_of("; its first corner is the place (%g, %g)", to.min().x(), to.min().y(), 0, 0)};
+}
+
+}  // namespace
+
+void check_output(const fs::path& out, const Drawing& drawing) {
+  const std::string extension = extension_of(out);
+  const std::string begin = "cannot write '" + out.string() + "': ";
+  if (extension == ".svg" && drawing.bitmap)
+    throw InputError(begin + "a bitmap has no curves for an SVG; write .png");
+  for (const char* known : {".png", ".svg", ".obj", ".off", ".ply", ".stl"})
+    if (extension == known) return;
+  throw InputError(begin + "unknown extension '" + extension +
+                   "'; known for drawings: .png, .svg, .obj, .off, .ply, .stl");
+}
+
+std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& drawing,
+                                       const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
+                                       const DrawingOutputOptions& options) {
+  check_output(out, drawing.drawing());
+  const double resolution = resolution_for(drawing.drawing(), options.resolution);
+  const Page& own = drawing.drawing().page;
+  const Page page = options.grow ? drawing.page_for(V, 1 / resolution) : own;
+  const std::string extension = extension_of(out);
+  if (extension != ".png" && extension != ".svg") {
+    write_mesh(out, drawing, V);
+    return {};
+  }
+  if (extension == ".png") {
+    const Eigen::Vector2d size = page.sizes() * resolution;
+    const std::string problem = size_problem(std::max(1.0, size.x()), std::max(1.0, size.y()));
+    if (!problem.empty())
+      throw InputError("cannot write '" + out.string() + "': it would have " + problem +
+                       "; move the handles less far, lower output.resolution or set "
+                       "output.grow=false");
+    write_png(drawing.picture(V, depth, page, resolution), out);
+  } else {
+    write_svg(drawing.paths(V), page, out);
+  }
+  return growth(own, page);
+}
+
+}  // namespace deformlab

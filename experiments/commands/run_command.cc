@@ -1,0 +1,89 @@
+#include <cstdio>
+#include <map>
+
+#include "experiments/commands/commands.h"
+#include "experiments/commands/results.h"
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where the program stands, on standard error: the results' own place is standard output.
+void show_progress(const std::string& name, std::size_t i, std::size_t n, const std::string& what) {
+  std::fprintf(stderr, "%s: run %zu of %zu%s%s\n", name.c_str(), i, n, what.empty() ? "" : ": ",
+               what.c_str());
+}
+
+// A solve that failed has no result. Only a config that makes a claim of it may expect that.
+bool report_failures(const std::string& name, const Outcome& outcome) {
+  bool failed = false, expected = false;
+  for (const Claim& claim : outcome.config.claims) expected |= claim.measure == "converged";
+  for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
+    const Summary& solve = outcome.runs[i].solve;
+    if (solve.status != Status::kFailed) continue;
+    std::printf("%s: run %zu: the solver failed: %s\n", name.c_str(), i + 1, solve.message.c_str());
+    failed = true;
+  }
+  return !failed || expected;
+}
+
+// True where every claim holds, or falls short for a known reason.
+bool run_config(const fs::path& config, const std::vector<Override>& overrides,
+                const fs::path& out) {
+  const std::string name = config.stem().string();
+  AtomicFolder folder(out / name);
+  const Outcome outcome = run_experiment(config, overrides, [&](auto i, auto n, const auto& what) {
+    show_progress(name, i, n, what);
+  });
+  write_results(outcome, folder.path());
+  folder.commit();
+  bool good = report_failures(name, outcome);
+  for (const ClaimResult& claim : outcome.claims) {
+    std::printf("%s\n", claim.line().c_str());
+    good = good && (claim.holds || !claim.known.empty());
+  }
+  std::printf("%s: %zu run%s, results in %s\n", name.c_str(), outcome.runs.size(),
+              outcome.runs.size() == 1 ? "" : "s", (out / name).string().c_str());
+  std::fflush(stdout);
+  return good;
+}
+
+// Each config has a folder of its name.
+void check_names(const std::vector<fs::path>& configs) {
+  std::map<fs::path, fs::path> by_name;
+  for (const fs::path& config : configs) {
+    const auto [first, is_new] = by_name.emplace(config.stem(), config);
+    if (is_new) continue;
+    throw InputError("'" + first->second.string() + "' and '" + config.string() +
+                     "' would write one folder '" + config.stem().string() +
+                     "'; run them with different --out");
+  }
+}
+
+}  // namespace
+
+int run_command(const std::vector<std::string>& arguments, const fs::path& out) {
+  std::vector<fs::path> configs;
+  std::vector<Override> overrides;
+  for (const std::string& argument : arguments) {
+    std::error_code ignored;  // a long override is no possible file name
+    if (argument.find('=') != std::string::npos && !fs::exists(argument, ignored)) {
+      overrides.push_back(parse_override(argument));
+    } else {
+      configs.emplace_back(argument);
+    }
+  }
+  if (configs.empty()) {
+    throw InputError("run which config? for example: deformlab run configs/sumner_figure_3.yaml");
+  }
+  check_names(configs);
+  for (const fs::path& config : configs) check_experiment(config, overrides);
+  bool good = true;
+  for (const fs::path& config : configs) good = run_config(config, overrides, out) && good;
+  write_gallery(out);
+  return good ? 0 : 1;
+}
+
+}  // namespace deformlab

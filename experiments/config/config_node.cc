@@ -1,0 +1,269 @@
+#include "experiments/config/config_node.h"
+
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "experiments/config/suggest.h"
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kMaxNodes = 1'000'000;
+constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
+
+std::string place(const std::shared_ptr<const ConfigSource>& source, int line) {
+  if (!source) return "default";
+  return line > 0 && source->is_file ? "line " + std::to_string(line) + " of " + source->name
+                                     : source->name;
+}
+
+[[noreturn]] void throw_too_deep(const std::string& where) {
+  throw InputError("nested deeper than " + std::to_string(kMaxConfigDepth) + " levels (" + where +
+                   "); is a bracket left open, or does an alias contain itself?");
+}
+
+/// Throws at the start of a second document. YAML::Load would drop it silently, and YAML::LoadAll
+/// never ends where stray text, such as a comma at the beginning, makes empty documents for ever.
+class SecondDocument : public YAML::EventHandler {
+ public:
+  explicit SecondDocument(std::shared_ptr<const ConfigSource> source)
+      : source_(std::move(source)) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++count_ < 2) return;
+    throw InputError("a second YAML document, or a stray sign before it (" +
+                     place(source_, mark.line + 1) + "); keep one document");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+ private:
+  std::shared_ptr<const ConfigSource> source_;
+  int count_ = 0;
+};
+
+void check_single_document(const std::string& text, std::shared_ptr<const ConfigSource> source) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  SecondDocument handler(std::move(source));
+  while (parser.HandleNextDocument(handler)) {
+  }
+}
+
+/// Copies yaml-cpp's tree into ours and refuses on the way what a config may not hold.
+class Converter {
+ public:
+  explicit Converter(std::shared_ptr<const ConfigSource> source) : source_(std::move(source)) {}
+
+  ConfigNode convert(const YAML::Node& yaml, int depth, int parent_line) {
+    ConfigNode node;
+    node.source = source_;
+    node.line = yaml.Mark().is_null() ? parent_line : yaml.Mark().line + 1;
+    check_limits(node, depth);
+    check_tag(yaml.Tag(), node);
+    if (yaml.IsScalar()) {
+      node.kind = ConfigNode::Kind::kScalar;
+      node.text = yaml.Scalar();
+      node.quoted = yaml.Tag() == "!" || yaml.Tag() == "tag:yaml.org,2002:str";
+    } else if (yaml.IsSequence()) {
+      node.kind = ConfigNode::Kind::kList;
+      for (const auto& child : yaml) {
+        node.children.push_back(convert(child, depth + 1, node.line));
+      }
+    } else if (yaml.IsMap()) {
+      node.kind = ConfigNode::Kind::kMap;
+      add_entries(yaml, depth, node);
+    }
+    return node;
+  }
+
+ private:
+  void check_limits(const ConfigNode& node, int depth) {
+    if (depth > kMaxConfigDepth) throw_too_deep(node.where());
+    if (++count_ > kMaxNodes) {
+      throw InputError("more than " + std::to_string(kMaxNodes) + " values (" + node.where() +
+                       ") with all aliases expanded; make the file smaller");
+    }
+  }
+
+  static void check_tag(const std::string& tag, const ConfigNode& node) {
+    const bool plain = tag.empty() || tag == "?" || tag == "!";
+    if (plain || tag.starts_with("tag:yaml.org,2002:")) return;
+    throw InputError("unknown tag " + quote(tag) + " (" + node.where() + "); leave it out");
+  }
+
+  [[noreturn]] void throw_duplicate(const std::string& key, int first, int second) const {
+    const std::string also = source_->is_file ? "line " + std::to_string(first) + " and " : "";
+    throw InputError("duplicate key " + quote(key) + " (" + also + place(source_, second) +
+                     "); keep one of them");
+  }
+
+  void add_entries(const YAML::Node& yaml, int depth, ConfigNode& map) {
+    std::map<std::string, int> lines;
+    for (const auto& entry : yaml) {
+      const int line = std::max(entry.first.Mark().line + 1, 1);
+      if (!entry.first.IsScalar()) {
+        throw InputError("a key must be a name (" + place(source_, line) + ")");
+      }
+      const std::string& key = entry.first.Scalar();
+      const auto [first, is_new] = lines.emplace(key, line);
+      if (!is_new) throw_duplicate(key, first->second, line);
+      if (key == "<<") {
+        throw InputError("merge key '<<' (" + place(source_, line) +
+                         ") is not supported; write its keys out, or use an alias as a value");
+      }
+      map.children.push_back(convert(entry.second, depth + 1, line));
+      map.children.back().key = key;
+      map.children.back().key_line = line;
+    }
+  }
+
+  std::shared_ptr<const ConfigSource> source_;
+  int count_ = 0;
+};
+
+std::string read_text(const std::filesystem::path& path) {
+  const std::string cannot = "cannot read " + quote(path.string()) + ": ";
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw InputError(cannot + "it is a folder");
+  if (!std::filesystem::exists(path, ignored)) throw InputError(cannot + "no such file");
+  std::ifstream file(path, std::ios::binary);
+  std::string text(kMaxBytes + 1, '\0');
+  if (!file) throw InputError(cannot + "permission denied");
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw InputError(cannot + "reading failed");
+  if (text.size() > kMaxBytes) throw InputError(cannot + "larger than 32 MiB");
+  return text;
+}
+
+/// Quotes where it must: the emitter by itself leaves tabs and returns bare, which do not read
+/// back.
+void emit_text(YAML::Emitter& out, const std::string& text, bool quoted) {
+  if (quoted || text.find_first_of("\t\r") != std::string::npos) out << YAML::DoubleQuoted;
+  out << text;
+}
+
+void emit(YAML::Emitter& out, const ConfigNode& node) {
+  switch (node.kind) {
+    case ConfigNode::Kind::kNull:
+      out << YAML::Null;
+      return;
+    case ConfigNode::Kind::kScalar:
+      emit_text(out, node.text, node.quoted);
+      return;
+    case ConfigNode::Kind::kList: {
+      const bool short_list = std::all_of(
+          node.children.begin(), node.children.end(),
+          [](const ConfigNode& child) { return child.kind <= ConfigNode::Kind::kScalar; });
+      if (short_list) out << YAML::Flow;
+      out << YAML::BeginSeq;
+      for (const ConfigNode& child : node.children) emit(out, child);
+      out << YAML::EndSeq;
+      return;
+    }
+    case ConfigNode::Kind::kMap:
+      out << YAML::BeginMap;
+      for (const ConfigNode& child : node.children) {
+        out << YAML::Key;
+        emit_text(out, child.key, false);
+        out << YAML::Value;
+        emit(out, child);
+      }
+      out << YAML::EndMap;
+  }
+}
+
+}  // namespace
+
+const ConfigNode* ConfigNode::find(std::string_view name) const {
+  if (kind != Kind::kMap) return nullptr;
+  for (const ConfigNode& child : children) {
+    if (child.key == name) return &child;
+  }
+  return nullptr;
+}
+
+ConfigNode* ConfigNode::find(std::string_view name) {
+  return const_cast<ConfigNode*>(std::as_const(*this).find(name));
+}
+
+std::filesystem::path ConfigNode::folder() const {
+  return source ? source->folder : std::filesystem::path();
+}
+
+std::string ConfigNode::where() const { return place(source, line); }
+
+std::string ConfigNode::key_where() const { return place(source, key_line); }
+
+std::string ConfigNode::found() const {
+  switch (kind) {
+    case Kind::kNull:
+      return "nothing";
+    case Kind::kScalar:
+      return (quoted ? "the quoted text " : "") + quote(text);
+    case Kind::kList:
+      return "a list of " + std::to_string(children.size());
+    case Kind::kMap:
+      return "a map";
+  }
+  return "nothing";
+}
+
+ConfigNode parse_yaml(const std::string& text, std::shared_ptr<const ConfigSource> source) {
+  YAML::Node document;
+  try {
+    check_single_document(text, source);
+    document = YAML::Load(text);
+  } catch (const YAML::DeepRecursion& error) {
+    throw_too_deep(place(source, error.mark.line + 1));
+  } catch (const YAML::Exception& error) {
+    throw InputError("not valid YAML (" + place(source, error.mark.line + 1) + "): " + error.msg);
+  }
+  return Converter(std::move(source)).convert(document, 0, 1);
+}
+
+ConfigNode load_config(const std::filesystem::path& path) {
+  ConfigSource source{path.string(), path.parent_path()};
+  ConfigNode root =
+      parse_yaml(read_text(path), std::make_shared<const ConfigSource>(std::move(source)));
+  if (root.kind == ConfigNode::Kind::kNull) throw InputError(quote(path.string()) + " is empty");
+  if (root.kind != ConfigNode::Kind::kMap) {
+    throw InputError("the top level must be a map of keys (" + root.where() + "), found " +
+                     root.found());
+  }
+  return root;
+}
+
+std::string to_yaml(const ConfigNode& node) {
+  YAML::Emitter out;
+  emit(out, node);
+  return std::string(out.c_str()) + "\n";
+}
+
+std::string to_yaml_line(const ConfigNode& node) {
+  YAML::Emitter out;
+  out.SetSeqFormat(YAML::Flow);
+  out.SetMapFormat(YAML::Flow);
+  emit(out, node);
+  return out.c_str();
+}
+
+}  // namespace deformlab

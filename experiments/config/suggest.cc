@@ -1,0 +1,63 @@
+#include "experiments/config/suggest.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace deformlab {
+namespace {
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+}  // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+  const std::size_t n = b.size();
+  std::vector<int> before(n + 1), last(n + 1), row(n + 1);
+  for (std::size_t j = 0; j <= n; ++j) row[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    before.swap(last);
+    last.swap(row);
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= n; ++j) {
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                           lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+  }
+  return row[n];
+}
+
+std::optional<std::string> nearest_name(std::string_view given,
+                                        const std::vector<std::string>& known) {
+  std::optional<std::string> nearest;
+  int best = 0;
+  for (const std::string& name : known) {
+    // A third of the letters may differ; beyond that a guess misleads more than it helps.
+    const int allowed = static_cast<int>(std::max(given.size(), name.size()) + 2) / 3;
+    const int distance = edit_distance(given, name);
+    if (distance > allowed || (nearest && distance >= best)) continue;
+    nearest = name;
+    best = distance;
+  }
+  return nearest;
+}
+
+std::string known_names(std::string_view given, const std::vector<std::string>& known) {
+  std::string text = "known: ";
+  for (std::size_t i = 0; i < known.size(); ++i) text += (i > 0 ? ", " : "") + known[i];
+  if (known.empty()) text += "none";
+  if (const auto nearest = nearest_name(given, known)) text += "; did you mean '" + *nearest + "'?";
+  return text;
+}
+
+std::string quote(std::string_view text) {
+  constexpr std::size_t kShown = 60;
+  std::string shown(text.substr(0, kShown));
+  std::replace_if(
+      shown.begin(), shown.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return "'" + shown + (text.size() > kShown ? "…'" : "'");
+}
+
+}  // namespace deformlab

@@ -1,0 +1,64 @@
+#include "experiments/measure/drag.h"
+
+#include <algorithm>
+#include <string>
+
+#include "geometry/core/error.h"
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kMostSteps = 10'000;
+
+Eigen::Matrix3Xd places_at_rest(const Shape& rest, const Handles& handles) {
+  Eigen::Matrix3Xd places(3, handles.targets());
+  places << rest.V(Eigen::all, handles.moved), handles.points;
+  return places;
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+void check(const DragOptions& options) {
+  if (options.steps >= 1 && options.steps <= kMostSteps) return;
+  throw InputError("drag.steps is " + std::to_string(options.steps) + "; it is 1 to " +
+                   std::to_string(kMostSteps));
+}
+
+DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
+                const DragOptions& options, const std::function<void()>& after) {
+  const Eigen::Matrix3Xd from = places_at_rest(rest, edit.handles);
+  const int updates = options.back ? 2 * options.steps : options.steps;
+  DragReport result;
+  double most = 0, sum = 0;
+  std::map<std::string, std::vector<double>> seconds;  // of each update
+  bool finite = true;
+  for (int i = 1; i <= updates; ++i) {
+    const int steps_away = i <= options.steps ? i : updates - i;
+    const double share = static_cast<double>(steps_away) / options.steps;
+    {
+      Stopwatch watch(seconds["seconds.update"].emplace_back());
+      result.last = deformer.update((1 - share) * from + share * edit.targets);
+    }
+    const auto steps = static_cast<double>(result.last.solve.iterations.size());
+    for (const auto& [phase, its] : result.last.solve.seconds) {
+      seconds["seconds.update." + phase].push_back(its);
+    }
+    most = std::max(most, steps);
+    sum += steps;
+    after();
+    finite = finite && deformer.deformed().V.allFinite();
+  }
+  result.metrics = {{"iterations_max", most}, {"iterations_mean", sum / updates}};
+  result.metrics["finite"] = finite;
+  for (auto& [phase, of_each] : seconds) result.seconds[phase] = median(of_each);
+  return result;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,55 @@
+#include "experiments/measure/probes.h"
+
+#include "experiments/config/config.h"
+#include "experiments/subjects/shape/edit.h"
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+Selection selection(const ConfigNode& region) {
+  Selection result;
+  read_value(region, "measure.region", result);
+  check_selection(result, "measure.region (" + region.where() + ")");
+  return result;
+}
+
+}  // namespace
+
+void check(const MeasureOptions& options) {
+  if (options.region.kind != ConfigNode::Kind::kNull) selection(options.region);
+  if (options.detail >= 0 && options.detail <= 1) return;
+  throw InputError("measure.detail is " + std::to_string(options.detail) +
+                   "; it is 0 to 1, a part of the diagonal");
+}
+
+std::vector<int> region_of(const MeasureOptions& options, const Shape& shape) {
+  if (options.region.kind == ConfigNode::Kind::kNull) return {};
+  return select_vertices(selection(options.region), shape, "measure.region");
+}
+
+Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d) {
+  if (list.kind == ConfigNode::Kind::kNull) return Eigen::Matrix3Xd(3, 0);
+  check_list(list, "measure.probes");
+  Eigen::Matrix3Xd places = Eigen::Matrix3Xd::Zero(3, std::ssize(list.children));
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    const ConfigNode& place = list.children[static_cast<std::size_t>(i)];
+    const std::string name = "measure.probes[" + std::to_string(i) + "]";
+    if (place.kind != ConfigNode::Kind::kList || std::ssize(place.children) != d) {
+      throw_wrong_value(place, name, std::to_string(d) + " coordinates");
+    }
+    for (int c = 0; c < d; ++c) read_value(place.children[c], name, places(c, i));
+  }
+  return places;
+}
+
+Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size) {
+  Metrics m;
+  for (Eigen::Index i = 0; i < way.cols(); ++i) {
+    const std::string name = "probe_" + std::to_string(i + 1) + "_";
+    for (int c = 0; c < 3; ++c) m[name + "xyz"[c]] = way(c, i) / size;
+  }
+  return m;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/shape/shape.h"
+
+namespace deformlab {
+
+/// A quadruped that gallops on the spot: x forward, y to its left, z up, about 2.7 long and 1.9
+/// high. Its skin is one closed mesh around a skeleton, which every frame poses anew.
+class Gallop {
+ public:
+  /// `cell` is the mean distance of the mesh's vertices [length].
+  explicit Gallop(double cell);
+
+  Eigen::Index vertices() const { return rest_.V.cols(); }
+  /// The pose at a time, where 1 is one whole gait cycle. Besides the gait the head bobs at five
+  /// times its frequency.
+  Shape pose(double time) const;
+
+ private:
+  Shape rest_;                 // standing
+  Eigen::MatrixXd influence_;  // #joints × #V, columns of sum one
+};
+
+}  // namespace deformlab

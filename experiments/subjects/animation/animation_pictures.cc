@@ -1,0 +1,123 @@
+#include "experiments/subjects/animation/animation_pictures.h"
+
+#include <algorithm>
+
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kMostPictures = 240, kNarrowest = 16, kWidest = 1024;
+
+}  // namespace
+
+void check(const SequenceOptions& o, int frames) {
+  if (o.every < 0 || (o.every > 0 && (frames - 1) / o.every + 1 > kMostPictures)) {
+    throw InputError("animation.sequence.every is " + std::to_string(o.every) + "; it is 0, or " +
+                     std::to_string((frames - 1) / kMostPictures + 1) + " and more for " +
+                     std::to_string(frames) + " frames, as there can be " +
+                     std::to_string(kMostPictures) + " pictures");
+  }
+  if (o.width < kNarrowest || o.width > kWidest) {
+    throw InputError("animation.sequence.width is " + std::to_string(o.width) + "; it is " +
+                     std::to_string(kNarrowest) + " to " + std::to_string(kWidest));
+  }
+}
+
+void check_pictured(int pictured, int most, const std::string& name) {
+  if (pictured >= 1 && pictured <= most) return;
+  throw InputError(name + " is " + std::to_string(pictured) + "; it is 1 to " +
+                   std::to_string(most) + " of the frames");
+}
+
+std::vector<int> evenly_spread(const FrameRange& range, int count) {
+  std::vector<int> frames;
+  for (int i = 0; i < count; ++i) {
+    frames.push_back(range.first + static_cast<int>(std::int64_t{i} * range.count() / count));
+  }
+  return frames;
+}
+
+SeenFrames::SeenFrames(const std::vector<int>& sheet, const SequenceOptions& sequence)
+    : sheet_(sheet), every_(sequence.every) {}
+
+bool SeenFrames::is_in_sheet(int frame) const { return std::ranges::binary_search(sheet_, frame); }
+
+void AnimationBook::add(const SeenFrames& frames, const DeformationGraph& graph,
+                        const std::string& caption) {
+  add_to_sheet(frames, graph, caption);
+  add_to_sequence(frames, caption);
+  ++runs_;
+}
+
+Panel AnimationBook::input_panel(const SeenFrame& seen, const std::string& caption) {
+  shapes_.push_back(std::make_unique<Shape>(seen.input));
+  return {.shape = shapes_.back().get(),
+          .vertex_colors = tinted(seen.input, seen.tinted),
+          .caption = caption,
+          .camera = camera_};
+}
+
+Panel AnimationBook::output_panel(const SeenFrame& seen, const std::string& caption) {
+  shapes_.push_back(std::make_unique<Shape>(seen.output));
+  Panel panel{.shape = shapes_.back().get(),
+              .vertex_colors = tinted(seen.output, seen.tinted),
+              .caption = caption,
+              .camera = camera_};
+  const double size = bounding_box_diagonal(seen.output.V);
+  add_balls(panel, seen.handles, kHandleRadius * size, colors::kHandle);
+  return panel;
+}
+
+void AnimationBook::add_to_sheet(const SeenFrames& frames, const DeformationGraph& graph,
+                                 const std::string& caption) {
+  std::vector<Panel> inputs, outputs;
+  for (const auto& [frame, seen] : frames.all()) {
+    if (!frames.is_in_sheet(frame)) continue;
+    const std::string name = "frame " + std::to_string(frame);
+    if (runs_ == 0 && options_.rest) inputs.push_back(input_panel(seen, name));
+    outputs.push_back(output_panel(seen, caption + ", " + name));
+  }
+  columns_ = static_cast<int>(outputs.size());
+  if (!inputs.empty() && options_.graph != "none") {
+    add_graph(inputs[0], graph, graph.g, kNodeRadius * bounding_box_diagonal(inputs[0].shape->V));
+  }
+  for (std::vector<Panel>* row : {&inputs, &outputs}) {
+    std::ranges::move(*row, std::back_inserter(sheet_));
+  }
+}
+
+void AnimationBook::add_to_sequence(const SeenFrames& frames, const std::string& caption) {
+  for (const auto& [frame, seen] : frames.all()) {
+    if (!frames.is_in_sequence(frame)) continue;
+    std::vector<Panel>& panels = sequence_[frame];
+    const std::string name = "frame " + std::to_string(frame);
+    if (panels.empty()) panels.push_back(input_panel(seen, name));
+    panels.push_back(output_panel(seen, caption));
+  }
+}
+
+Image AnimationBook::sheet() const {
+  return render_grid(sheet_, render_options(options_),
+                     options_.columns > 0 ? options_.columns : columns_);
+}
+
+std::vector<Image> AnimationBook::sequence(int width) const {
+  const std::ptrdiff_t columns = runs_ + 1;
+  std::vector<Panel> panels;
+  for (const auto& [frame, row] : sequence_) {
+    if (std::ssize(row) == columns) panels.insert(panels.end(), row.begin(), row.end());
+  }
+  if (panels.empty()) return {};
+  RenderOptions options = render_options(options_);
+  options.height = std::max(options.height * width / options.width, 1);
+  options.width = width;
+  const std::vector<Image> images = render_alike(panels, options);
+  std::vector<Image> pictures;
+  for (auto row = images.begin(); row != images.end(); row += columns) {
+    pictures.push_back(side_by_side({row, row + columns}));
+  }
+  return pictures;
+}
+
+}  // namespace deformlab

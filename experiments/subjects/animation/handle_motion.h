@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/subjects/animation/frame_pattern.h"
+#include "experiments/subjects/animation/script.h"
+
+namespace deformlab {
+
+/// The handles of an edited animation, and by how much they go beside the input's own way.
+class HandleMotion {
+ public:
+  /// What each edit does to the pose it speaks of becomes translational offsets (Sumner et al.
+  /// 2007, section 5, "Mesh animations"). Between the keyframes that name a handle they are
+  /// interpolated; before the first and after the last they stay. `pose_of` gives the shape in a
+  /// frame. Throws InputError as `resolve` does, for a keyframe or pose that is no frame of the
+  /// range, and for a vertex that one edit moves and another fixes or moves in all frames.
+  HandleMotion(const Script& script, const FrameRange& range,
+               const std::function<Shape(int)>& pose_of);
+
+  /// Vertices that are fixed are so in all frames: they go with the input.
+  const Handles& handles() const { return handles_; }
+  Eigen::Matrix3Xd offsets(double frame) const;  ///< 3×#: of handles().moved, then .points [length]
+  std::string description() const;               ///< all of it in text, for a fingerprint
+
+ private:
+  struct Key {
+    int frame;
+    Eigen::Vector3d offset;
+  };
+  struct Channel {
+    std::vector<Key> keys;  // by frame; one that always holds has one key
+    std::string where;      // the first edit that names it
+    bool always;
+  };
+  using BarycentricPoint = std::array<double, 3>;
+
+  void add(const TimedEdit& edit, const Shape& pose);
+  void fix(int vertex, const TimedEdit& edit);
+  void add_key(Channel& channel, const TimedEdit& edit, const Eigen::Vector3d& offset,
+               const std::string& what);
+  void collect();
+  Eigen::Vector3d offset(const Channel& channel, double frame) const;
+
+  bool smooth_;
+  std::map<int, Channel> vertices_;
+  std::map<BarycentricPoint, Channel> places_;
+  std::map<int, std::string> fixed_;  // and by which edit
+  Handles handles_;
+};
+
+}  // namespace deformlab

@@ -1,0 +1,58 @@
+#include "experiments/subjects/animation/script.h"
+
+#include <algorithm>
+
+#include "experiments/config/config.h"
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+/// The whole of an edit file for animations.
+struct ScriptFile {
+  ConfigNode edit;
+  KeyframesOptions keyframes;
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("edit", o.edit, "selections and what happens to them in all frames");
+    KeyframesOptions::fields(o.keyframes, visit);
+  }
+};
+
+TimedEdit keyframe(const KeyframeOptions& options, std::size_t number) {
+  return {options.frame, read_edit(options.edit),
+          "keyframe " + std::to_string(number) + " (" + options.edit.key_where() + ")"};
+}
+
+void check_distinct(const std::vector<TimedEdit>& edits) {
+  for (std::size_t i = 1; i < edits.size(); ++i) {
+    if (!edits[i - 1].frame || edits[i - 1].frame != edits[i].frame) continue;
+    throw InputError(edits[i - 1].where + " and " + edits[i].where + " are both of frame " +
+                     std::to_string(*edits[i].frame) + "; make one of them");
+  }
+}
+
+}  // namespace
+
+Script read_script(const ConfigNode& edit, const KeyframesOptions& options) {
+  Script script{options.pose, options.interpolation == "smooth", {}};
+  const bool has_edit = edit.kind != ConfigNode::Kind::kNull;
+  if (!has_edit && options.keyframes.empty()) {
+    throw InputError("nothing is edited: the edit has neither 'edit' nor 'keyframes'");
+  }
+  if (has_edit) script.edits.push_back({{}, read_edit(edit), "edit (" + edit.key_where() + ")"});
+  for (std::size_t i = 0; i < options.keyframes.size(); ++i) {
+    script.edits.push_back(keyframe(options.keyframes[i], i + 1));
+  }
+  std::stable_sort(script.edits.begin(), script.edits.end(),
+                   [](const auto& a, const auto& b) { return a.frame < b.frame; });
+  check_distinct(script.edits);
+  return script;
+}
+
+Script read_script_file(const std::filesystem::path& path) {
+  const auto file = read_config<ScriptFile>(load_config(path));
+  return read_script(file.edit, file.keyframes);
+}
+
+}  // namespace deformlab

@@ -1,0 +1,68 @@
+#include "experiments/subjects/drawing/drawing_pictures.h"
+
+#include <algorithm>
+
+namespace deformlab {
+namespace {
+
+constexpr int kPanelWidth = 420;  // [pixel] where picture.width is left at its default for shapes
+
+// Vertices that are held, then places: 2×p.
+Eigen::Matrix2Xd held(const ResolvedEdit& edit, const Eigen::Matrix2Xd& V, bool at_rest) {
+  const auto& [fixed, moved, points] = edit.handles;
+  Eigen::Matrix2Xd result(2, std::ssize(fixed) + edit.targets.cols());
+  result.leftCols(std::ssize(fixed)) = V(Eigen::all, fixed);
+  if (at_rest) {
+    result.middleCols(std::ssize(fixed), std::ssize(moved)) = V(Eigen::all, moved);
+    result.rightCols(points.cols()) = points.topRows<2>();
+  } else {
+    result.rightCols(edit.targets.cols()) = edit.targets.topRows<2>();
+  }
+  return result;
+}
+
+}  // namespace
+
+void DrawingBook::add_rest(const PicturedDrawing& pictured) {
+  if (!options_.rest) return;
+  DrawingPanel panel;
+  panel.V = pictured.bound->rest().V;
+  panel.edges = options_.graph != "none";
+  panel.tint = (pictured.weights.array() != 1).cast<double>();
+  panel.handles = held(pictured.edit, panel.V, true);
+  panel.caption = "rest shape";
+  panels_.push_back({pictured.bound, std::move(panel)});
+}
+
+void DrawingBook::add_deformed(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& V,
+                               const Eigen::VectorXd& depth, const std::string& caption) {
+  DrawingPanel panel;
+  panel.V = V;
+  panel.depth = depth;
+  panel.edges = options_.graph == "all";
+  panel.handles = held(pictured.edit, V, false);
+  panel.caption = caption;
+  panels_.push_back({pictured.bound, std::move(panel)});
+}
+
+void DrawingBook::add_stages(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
+                             const Eigen::Matrix2Xd& fitted) {
+  add_deformed(pictured, intermediate, {}, "step one: intermediate");
+  panels_.back().panel.edges = true;
+  add_deformed(pictured, intermediate, {}, "fitted triangles");
+  panels_.back().panel.loose = fitted;
+}
+
+Image DrawingBook::render() const {
+  Page frame;
+  for (const Entry& entry : panels_) frame.extend(frame_of(*entry.bound, {entry.panel}));
+  const int width = options_.width == PictureOptions{}.width ? kPanelWidth : options_.width;
+  std::vector<Image> images;
+  for (const Entry& entry : panels_) {
+    images.push_back(draw_panel(*entry.bound, entry.panel, frame, width));
+  }
+  const int columns = options_.columns > 0 ? options_.columns : 4;
+  return grid(images, std::min(columns, static_cast<int>(images.size())));
+}
+
+}  // namespace deformlab

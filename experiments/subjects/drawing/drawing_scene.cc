@@ -1,0 +1,130 @@
+#include "experiments/subjects/drawing/drawing_scene.h"
+
+#include <cmath>
+
+#include "experiments/config/config.h"
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPainted = 10000;  // section 5.2: "a weight of 10000 for the painted triangles"
+constexpr const char* kClipArt[] = {"/usr/share/openclipart/svg", "/usr/share/openclipart/png"};
+
+fs::path find_drawing(const std::string& file, const fs::path& folder) {
+  std::vector<fs::path> places{folder / file, fs::path(file)};
+  for (const char* package : kClipArt) places.push_back(fs::path(package) / file);
+  for (const fs::path& place : places) {
+    std::error_code ignored;
+    if (fs::is_regular_file(place, ignored)) return place;
+  }
+  throw InputError("drawing.file '" + file +
+                   "' is neither beside the config, nor in the working folder, nor in the "
+                   "packages openclipart-svg and openclipart-png");
+}
+
+/// One entry of `paint:`.
+struct Coat {
+  std::optional<Selection> select;
+  std::optional<fs::path> mask;
+  double weight = kPainted;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("select", o.select, "vertices, as in an edit");
+    visit("mask", o.mask, "a PNG of the page's size");
+    visit("weight", o.weight, "of the triangles painted");
+  }
+};
+
+struct ReadCoat {
+  Coat coat;
+  std::string where;
+  fs::path folder;
+};
+
+std::vector<ReadCoat> read_coats(const ConfigNode& list) {
+  std::vector<ReadCoat> coats;
+  if (list.kind == ConfigNode::Kind::kNull) return coats;
+  check_list(list, "paint");
+  const ConfigNode lifted = in_space(list);
+  for (const ConfigNode& node : lifted.children) {
+    ReadCoat& read = coats.emplace_back();
+    read.where = "paint entry " + std::to_string(coats.size()) + " (" + node.where() + ")";
+    read.folder = node.folder();
+    read_value(node, "paint", read.coat);
+    if (read.coat.select.has_value() == read.coat.mask.has_value()) {
+      throw InputError(read.where + ": give either 'select' or 'mask'");
+    }
+    if (read.coat.select) check_selection(*read.coat.select, read.where);
+    if (!(read.coat.weight > 0 && std::isfinite(read.coat.weight))) {
+      throw InputError(read.where + ": the weight must be a positive number");
+    }
+  }
+  return coats;
+}
+
+// Per triangle: whether all its corners are selected.
+std::vector<char> triangles_of(const std::vector<int>& vertices, const Triangulation& mesh) {
+  std::vector<char> selected(static_cast<std::size_t>(mesh.V.cols()), 0), result;
+  for (const int i : vertices) selected[i] = 1;
+  for (const auto f : mesh.F.colwise()) {
+    result.push_back(selected[f[0]] && selected[f[1]] && selected[f[2]]);
+  }
+  return result;
+}
+
+// Per triangle: whether the mask is dark where its centre lies.
+std::vector<char> triangles_under(const Bitmap& mask, const Page& page, const Triangulation& mesh) {
+  std::vector<char> result;
+  for (const auto f : mesh.F.colwise()) {
+    const Eigen::Vector2d center = (mesh.V.col(f[0]) + mesh.V.col(f[1]) + mesh.V.col(f[2])) / 3;
+    const Eigen::Vector2d share = (center - page.min()).cwiseQuotient(page.diagonal());
+    const int x = static_cast<int>(share.x() * mask.width);
+    const int y = static_cast<int>(share.y() * mask.height);
+    const bool inside = x >= 0 && y >= 0 && x < mask.width && y < mask.height;
+    const std::uint8_t* p = inside ? mask.pixel(x, y) : nullptr;
+    result.push_back(p && p[3] > 127 && p[0] + p[1] + p[2] < 3 * 128);
+  }
+  return result;
+}
+
+std::vector<char> painted(const ReadCoat& read, const DrawingScene& scene) {
+  if (read.coat.mask) {
+    return triangles_under(read_png(read.folder / *read.coat.mask), scene.drawing.page, scene.rest);
+  }
+  const Shape shape = to_shape(scene.rest);
+  return triangles_of(select_vertices(*read.coat.select, shape, read.where), scene.rest);
+}
+
+}  // namespace
+
+DrawingScene make_drawing(const DrawingSceneOptions& options, const fs::path& folder) {
+  DrawingScene scene;
+  scene.path = find_drawing(options.file, folder);
+  scene.drawing = read_drawing(scene.path, options.reading);
+  const std::string name = scene.path.string();
+  scene.rest = scene.drawing.mesh ? *scene.drawing.mesh
+                                  : triangulate(scene.drawing.region, options.mesh, name);
+  scene.weights.setOnes(scene.rest.F.cols());
+  return scene;
+}
+
+void paint(DrawingScene& scene, const ConfigNode& list) {
+  for (const ReadCoat& read : read_coats(list)) {
+    const std::vector<char> chosen = painted(read, scene);
+    bool any = false;
+    for (Eigen::Index f = 0; f < scene.weights.size(); ++f) {
+      if (!chosen[f]) continue;
+      any = true;
+      scene.weights[f] = read.coat.weight;
+    }
+    if (!any) throw InputError(read.where + " paints no triangle; make it larger");
+  }
+}
+
+void check_paint(const ConfigNode& list) { read_coats(list); }
+
+}  // namespace deformlab

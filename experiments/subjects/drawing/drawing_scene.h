@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "drawing/drawing.h"
+#include "experiments/config/config_node.h"
+#include "experiments/subjects/drawing/plane_edit.h"
+
+namespace deformlab {
+
+/// The drawing that a config deforms in place of a shape.
+struct DrawingSceneOptions {
+  std::string file;  ///< beside the config, below the working folder, or packaged clip-art
+  DrawingOptions reading;
+  TriangulationOptions mesh;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("file", o.file,
+          "a drawing (.png .svg .txt) or a flat mesh: beside the config, here, or among "
+          "openclipart's; empty: the config is about a shape");
+    DrawingOptions::fields(o.reading, visit);
+    TriangulationOptions::fields(o.mesh, visit);
+  }
+};
+
+/// A drawing, its mesh at rest, and how stiff its triangles are.
+struct DrawingScene {
+  std::filesystem::path path;
+  Drawing drawing;
+  Triangulation rest;
+  Eigen::VectorXd weights;  ///< one a triangle (Igarashi et al. 2005, section 5.2)
+};
+
+/// Reads and triangulates a drawing; `folder` is the config's own. Throws InputError where it
+/// cannot be had.
+DrawingScene make_drawing(const DrawingSceneOptions& options, const std::filesystem::path& folder);
+
+/// Paints triangles: each entry of the list is {select: …, weight: w} with the selections of an
+/// edit, of which a triangle counts where all its corners do, or {mask: FILE.png, weight: w}, where
+/// it counts if its centre lies on a pixel of the page that is opaque and darker than half. Of
+/// several entries the last one counts. Throws InputError where an entry paints nothing, or its
+/// weight is not positive.
+void paint(DrawingScene& scene, const ConfigNode& list);
+
+/// Throws the InputError that `paint` would throw for the list itself.
+void check_paint(const ConfigNode& list);
+
+}  // namespace deformlab

@@ -1,0 +1,62 @@
+#include "experiments/subjects/outputs.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_output(const Output& output) {
+  const auto& [file, flag] = output;
+  if (file.empty()) return;
+  const std::string cannot = "cannot write '" + file + "' (" + flag + "): ";
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code error;
+  if (!fs::is_directory(folder.empty() ? "." : folder, error)) {
+    throw InputError(cannot + "there is no folder '" + folder.string() + "'; make it first");
+  }
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
+    throw InputError(cannot + "it is a folder or a device; name a file");
+  }
+  const fs::path trial = file + ".partial" + std::to_string(getpid());
+  if (!std::ofstream(trial)) throw InputError(cannot + "its folder takes no new file");
+  fs::remove(trial, error);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  const fs::path first = fs::weakly_canonical(a, ignored);
+  return !first.empty() && first == fs::weakly_canonical(b, ignored);
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<Output>& outputs) {
+  std::vector<std::string> files = inputs;
+  for (const Output& output : outputs) {
+    check_output(output);
+    files.push_back(output.path);
+  }
+  for (std::size_t written = inputs.size(); written < files.size(); ++written) {
+    for (std::size_t other = 0; other < written; ++other) {
+      const bool in_place = written == inputs.size() && other == 0;
+      const bool same = same_file(files[written], files[other]);
+      if (in_place || files[written].empty() || !same) continue;
+      throw InputError("'" + files[written] + "' is named twice, by two of SHAPE, --edit, --out, " +
+                       "--metrics and --picture; only SHAPE and --out may be one file");
+    }
+  }
+}
+
+void check_picture_name(const std::string& path) {
+  if (path.empty() || fs::path(path).extension() == ".png") return;
+  throw InputError("--picture '" + path + "': a picture's name must end in .png");
+}
+
+}  // namespace deformlab

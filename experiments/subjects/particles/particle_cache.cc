@@ -1,0 +1,158 @@
+#include "experiments/subjects/particles/particle_cache.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+bool is_before(const ParticleRow& a, const ParticleRow& b) { return a.frame < b.frame; }
+
+// Which life of all that it is shown is the one to sample. Those that ended are compared and
+// forgotten, so that as many are kept as there are particles in a frame.
+class Longest {
+ public:
+  explicit Longest(std::optional<std::int64_t> id) : id_(id) {}
+
+  void add(int frame, ParticleFrame particles) {
+    for (const ParticleRow& row : particles) {
+      if (id_ && row.id != *id_) continue;
+      const ParticleLife born{row.id, frame, frame, row.place, row.place};
+      ParticleLife& now = living_.try_emplace(row.id, born).first->second;
+      now.travelled += (row.place - now.end).norm();
+      now.last = frame;
+      now.end = row.place;
+    }
+    std::erase_if(living_, [&](const auto& life) {
+      const bool ended = life.second.last < frame;
+      if (ended) compare(life.second);
+      return ended;
+    });
+  }
+
+  std::optional<ParticleLife> result() {
+    for (const auto& [id, life] : living_) compare(life);
+    return best_;
+  }
+
+ private:
+  // The order in which a table gives its entries must not matter.
+  static auto merit(const ParticleLife& life) {
+    const double way = (life.end - life.begin).norm();
+    return std::tuple(life.last - life.first, way > 0 ? way / life.travelled : 0, -life.id);
+  }
+  void compare(const ParticleLife& life) {
+    if (!best_ || merit(life) > merit(*best_)) best_ = life;
+  }
+
+  std::optional<std::int64_t> id_;
+  std::unordered_map<std::int64_t, ParticleLife> living_;
+  std::optional<ParticleLife> best_;
+};
+
+}  // namespace
+
+Eigen::Matrix3Xd places_of(ParticleFrame rows) {
+  Eigen::Matrix3Xd places(3, std::ssize(rows));
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    places.col(i) = rows[static_cast<std::size_t>(i)].place;
+  }
+  return places;
+}
+
+Shape as_points(const Eigen::Matrix3Xd& places) { return {places, Eigen::Matrix3Xd(3, 0), {}}; }
+
+ParticleCache::ParticleCache(std::filesystem::path path) : path_(std::move(path)) {
+  ParticleReader reader(path_);
+  bool ordered = true;
+  while (const auto row = reader.next()) {
+    if (rows_++ == 0) frames_ = {row->frame, row->frame};
+    ordered = ordered && row->frame >= frames_.last;
+    frames_ = {std::min(frames_.first, row->frame), std::max(frames_.last, row->frame)};
+  }
+  if (rows_ == 0) throw InputError("'" + path_.string() + "' has no particles, only a header");
+  if (!ordered) keep();
+  for_each_frame([&](int, ParticleFrame frame) { check_ids(frame); });
+}
+
+void ParticleCache::keep() {
+  ParticleReader reader(path_);
+  while (const auto row = reader.next()) kept_.push_back(*row);
+  std::stable_sort(kept_.begin(), kept_.end(), is_before);
+}
+
+void ParticleCache::check_ids(ParticleFrame frame) const {
+  std::unordered_map<std::int64_t, std::int64_t> lines;
+  for (const ParticleRow& row : frame) {
+    const auto [first, is_new] = lines.emplace(row.id, row.line);
+    if (is_new) continue;
+    throw InputError("particle " + std::to_string(row.id) + " is twice in frame " +
+                     std::to_string(row.frame) + ", in lines " + std::to_string(first->second) +
+                     " and " + std::to_string(row.line) + " of '" + path_.string() +
+                     "'; give one of them another id");
+  }
+}
+
+void ParticleCache::stream(const Visit& visit) const {
+  ParticleReader reader(path_);
+  std::vector<ParticleRow> frame;
+  while (const auto row = reader.next()) {
+    if (!frame.empty() && row->frame != frame.front().frame) {
+      visit(frame.front().frame, frame);
+      frame.clear();
+    }
+    frame.push_back(*row);
+  }
+  if (!frame.empty()) visit(frame.front().frame, frame);
+}
+
+void ParticleCache::for_each_frame(const Visit& visit) const {
+  if (streams()) return stream(visit);
+  for (auto begin = kept_.begin(); begin != kept_.end();) {
+    const auto end = std::upper_bound(begin, kept_.end(), *begin, is_before);
+    visit(begin->frame, {begin, end});
+    begin = end;
+  }
+}
+
+ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id) {
+  Longest longest(id);
+  particles.for_each_frame([&](int frame, ParticleFrame rows) { longest.add(frame, rows); });
+  const std::optional<ParticleLife> life = longest.result();
+  if (!life) {
+    throw InputError("particle " + std::to_string(*id) + " (path) has no frame in " +
+                     particles.name() + "; name one that occurs there");
+  }
+  if (life->begin == life->end) {
+    throw InputError("particle " + std::to_string(life->id) +
+                     ", whose path the nodes would be sampled on, does not move in " +
+                     particles.name() + "; name another with path=ID");
+  }
+  return *life;
+}
+
+Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife& life, int m) {
+  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; it is at least 1");
+  Eigen::Matrix3Xd samples(3, m);
+  const auto time = [&](int j) {
+    return m == 1 ? life.first : life.first + double(life.last - life.first) * j / (m - 1);
+  };
+  int next = 0, before = life.first;
+  Eigen::Vector3d from = life.begin;
+  particles.for_each_frame([&](int frame, ParticleFrame rows) {
+    if (frame < life.first || frame > life.last) return;
+    const auto row = std::ranges::find(rows, life.id, &ParticleRow::id);
+    for (; next < m && (time(next) <= frame || frame == life.last); ++next) {
+      const double share =
+          frame > before ? std::min((time(next) - before) / (frame - before), 1.0) : 1;
+      samples.col(next) = (1 - share) * from + share * row->place;
+    }
+    before = frame;
+    from = row->place;
+  });
+  return samples;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "experiments/subjects/animation/frame_pattern.h"
+#include "experiments/subjects/particles/particle_rows.h"
+#include "geometry/shape/shape.h"
+
+namespace deformlab {
+
+/// The particles of one frame in the order of their rows.
+using ParticleFrame = std::span<const ParticleRow>;
+
+/// The places of a frame's particles, 3×#rows [length].
+Eigen::Matrix3Xd places_of(ParticleFrame rows);
+
+/// A shape of points alone, at `places` (3×n) [length].
+Shape as_points(const Eigen::Matrix3Xd& places);
+
+/// Particles that come and go, frame by frame.
+class ParticleSource {
+ public:
+  using Visit = std::function<void(int frame, ParticleFrame)>;
+
+  virtual ~ParticleSource() = default;
+  /// Calls `visit` for each frame that has particles, in order of time.
+  virtual void for_each_frame(const Visit& visit) const = 0;
+  virtual FrameRange frames() const = 0;
+  virtual std::string name() const = 0;  ///< what messages call it
+};
+
+/// A particle cache in a file. Where its rows are in the order of frames they are read as
+/// they are needed, and memory does not grow with their number; otherwise all are kept.
+class ParticleCache : public ParticleSource {
+ public:
+  /// Reads the whole once. Throws InputError as ParticleReader does, without a row, and for an id
+  /// that occurs twice in a frame (naming both lines).
+  explicit ParticleCache(std::filesystem::path path);
+
+  void for_each_frame(const Visit& visit) const override;
+  std::string name() const override { return "'" + path_.string() + "'"; }
+  FrameRange frames() const override { return frames_; }
+  std::int64_t rows() const { return rows_; }
+  bool streams() const { return kept_.empty(); }
+
+ private:
+  void stream(const Visit& visit) const;
+  void keep();
+  void check_ids(ParticleFrame frame) const;
+
+  std::filesystem::path path_;
+  FrameRange frames_;
+  std::int64_t rows_ = 0;
+  std::vector<ParticleRow> kept_;  // by frame, where the file is not
+};
+
+/// A stretch of frames through which a particle lives.
+struct ParticleLife {
+  std::int64_t id = 0;
+  int first = 0, last = 0;
+  Eigen::Vector3d begin{0, 0, 0}, end{0, 0, 0};  ///< [length]
+  double travelled = 0;                          ///< length of the path between [length]
+};
+
+/// Of the particles that live longest the one that goes straightest (from its begin to its end,
+/// over the length of its path), which is in the middle of a stream that swirls; with an `id`, the
+/// longest life of that one. Throws InputError where no such particle occurs, or it never moves.
+ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id);
+
+/// m samples of a particle's path at equal intervals of time, 3×m [length]; between two frames it
+/// goes straight.
+Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife& life, int m);
+
+}  // namespace deformlab

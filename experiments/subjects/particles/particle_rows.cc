@@ -1,0 +1,140 @@
+#include "experiments/subjects/particles/particle_rows.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "experiments/config/suggest.h"
+#include "geometry/core/error.h"
+#include "geometry/shape/shape.h"
+
+namespace deformlab {
+namespace {
+
+constexpr const char* kColumns[] = {"frame", "id", "x", "y", "z"};
+constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+// Views into the line, without the blanks around them.
+void split(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
+  for (std::size_t begin = 0;;) {
+    const std::size_t comma = line.find(',', begin);
+    fields.push_back(trimmed(line.substr(begin, comma - begin)));
+    if (comma == std::string_view::npos) return;
+    begin = comma + 1;
+  }
+}
+
+std::string shortest(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+}  // namespace
+
+ParticleReader::ParticleReader(const std::filesystem::path& path)
+    : name_(path.string()), file_(path, std::ios::binary) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored) || !file_) {
+    throw InputError("cannot read the particles in '" + name_ + "': no such file");
+  }
+  read_header();
+}
+
+void ParticleReader::reject(const std::string& why) const {
+  throw InputError("line " + std::to_string(line_number_) + " of '" + name_ + "': " + why);
+}
+
+bool ParticleReader::read_line() {
+  if (!std::getline(file_, line_)) return false;
+  ++line_number_;
+  ending_ = file_.eof() ? "" : "\n";
+  if (line_.ends_with('\r')) {
+    line_.pop_back();
+    ending_ = "\r" + ending_;
+  }
+  return true;
+}
+
+void ParticleReader::read_header() {
+  while (read_line()) {
+    between_ += line_ + ending_;
+    if (line_.starts_with(kByteOrderMark)) line_.erase(0, 3);
+    if (!trimmed(line_).empty()) break;
+  }
+  split(line_, fields_);
+  header_size_ = fields_.size();
+  for (int c = 0; c < 5; ++c) {
+    const auto found = std::ranges::find(fields_, kColumns[c]);
+    if (found == fields_.end()) {
+      line_number_ = std::max<std::int64_t>(line_number_, 1);
+      reject(std::string("the column '") + kColumns[c] +
+             "' is missing; the header is: frame,id,x,y,z");
+    }
+    columns_[c] = static_cast<std::size_t>(found - fields_.begin());
+  }
+}
+
+double ParticleReader::coordinate(int column) const {
+  const std::string_view text = field(column);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (!whole || !(std::abs(value) <= kMostLength)) {
+    reject(std::string(kColumns[column]) + " is " + quote(std::string(text)) +
+           "; it is a finite number");
+  }
+  return value;
+}
+
+template <class Integer>
+Integer ParticleReader::integer(int column) const {
+  const std::string_view text = field(column);
+  Integer value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size()) return value;
+  reject(std::string(kColumns[column]) + " is " + quote(std::string(text)) +
+         "; it is a whole number");
+}
+
+std::optional<ParticleRow> ParticleReader::next() {
+  if (number_ > 0) between_.clear();
+  while (read_line()) {
+    if (trimmed(line_).empty()) {
+      between_ += line_ + ending_;
+      continue;
+    }
+    split(line_, fields_);
+    if (fields_.size() != header_size_) {
+      reject("it has " + std::to_string(fields_.size()) + " fields, but the header has " +
+             std::to_string(header_size_));
+    }
+    ParticleRow row{integer<int>(0), integer<std::int64_t>(1), {}, number_++, line_number_};
+    for (int c = 0; c < 3; ++c) row.place[c] = coordinate(2 + c);
+    return row;
+  }
+  return {};
+}
+
+std::string ParticleReader::moved(const Eigen::Vector3d& place) const {
+  std::string text;
+  const char* copied = line_.data();
+  std::vector<std::size_t> order{columns_[2], columns_[3], columns_[4]};
+  std::ranges::sort(order);
+  for (const std::size_t column : order) {
+    const std::string_view old = fields_[column];
+    text.append(copied, old.data());
+    text += shortest(place[std::ranges::find(columns_ + 2, columns_ + 5, column) - columns_ - 2]);
+    copied = old.data() + old.size();
+  }
+  text.append(copied, line_.data() + line_.size());
+  return text + ending_;
+}
+
+}  // namespace deformlab

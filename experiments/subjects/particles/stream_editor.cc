@@ -1,0 +1,55 @@
+#include "experiments/subjects/particles/stream_editor.h"
+
+#include <algorithm>
+
+#include "geometry/core/error.h"
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+namespace {
+
+void check(const Script& script, const GraphOptions& graph) {
+  if (script.pose) throw InputError("'pose' is for meshes: particles are edited along a path");
+  const GraphOptions usual;
+  if (graph.method != usual.method || graph.distance != usual.distance || !graph.file.empty()) {
+    throw InputError(
+        "graph.method, graph.distance and graph.file are for shapes: the graph of particles is "
+        "sampled on the path of one; set path and graph.nodes");
+  }
+}
+
+}  // namespace
+
+StreamEditor::StreamEditor(const ParticleSource& particles, const Script& script,
+                           const EmbeddedDeformationOptions& options,
+                           std::optional<std::int64_t> path)
+    : life_((check(script, options.graph), find_path(particles, path))),
+      stream_(sample_path(particles, life_, options.graph.nodes), options),
+      motion_(script, particles.frames(), [&](int) { return stream_.path(); }) {
+  stream_.compile(motion_.handles());
+  rest_.resize(3, motion_.handles().targets());
+  rest_ << stream_.path().V(Eigen::all, motion_.handles().moved), motion_.handles().points;
+}
+
+void StreamEditor::solve(const Eigen::Matrix3Xd& offsets) {
+  stream_.reset();
+  report_ = stream_.update(rest_ + offsets);
+  offsets_ = offsets;
+  ++solves_;
+  worst_handle_ = std::max(worst_handle_, report_.handle_max);
+}
+
+Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
+  const Eigen::Matrix3Xd offsets = motion_.offsets(frame);
+  if (solves_ == 0 || offsets != offsets_) solve(offsets);
+  seconds_ = {};
+  Embedding particles;
+  {
+    Stopwatch watch(seconds_.weights);
+    particles = stream_.influences(places_of(rows));
+  }
+  Stopwatch watch(seconds_.transfer);
+  return stream_.deformed(particles);
+}
+
+}  // namespace deformlab

@@ -1,0 +1,47 @@
+#include "experiments/subjects/shape/cuts.h"
+
+#include "experiments/config/config.h"
+#include "experiments/subjects/shape/edit.h"
+
+namespace deformlab {
+namespace {
+
+struct CutEntry {
+  Selection between, and_;
+  std::string where;
+
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("between", o.between, "vertices, as in an edit");
+    visit.required("and", o.and_, "those that must not follow the same nodes");
+  }
+};
+
+std::vector<CutEntry> read_cuts(const ConfigNode& list) {
+  std::vector<CutEntry> entries;
+  if (list.kind == ConfigNode::Kind::kNull) return entries;
+  check_list(list, "cut");
+  for (const ConfigNode& node : list.children) {
+    CutEntry& entry = entries.emplace_back();
+    entry.where = "cut " + std::to_string(entries.size()) + " (" + node.where() + ")";
+    read_value(node, "cut", entry);
+    check_selection(entry.between, entry.where);
+    check_selection(entry.and_, entry.where);
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::vector<Cut> resolve_cuts(const ConfigNode& list, const Shape& rest) {
+  std::vector<Cut> cuts;
+  for (const CutEntry& entry : read_cuts(list)) {
+    cuts.push_back({select_vertices(entry.between, rest, entry.where),
+                    select_vertices(entry.and_, rest, entry.where), entry.where});
+  }
+  return cuts;
+}
+
+void check_cuts(const ConfigNode& list) { read_cuts(list); }
+
+}  // namespace deformlab

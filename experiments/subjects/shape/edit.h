@@ -1,0 +1,132 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/config/config_node.h"
+#include "geometry/shape/handles.h"
+#include "geometry/shape/shape.h"
+
+namespace deformlab {
+
+/// Axis-aligned box [length], its boundary included.
+struct BoxSelection {
+  Eigen::Vector3d min = Eigen::Vector3d::Zero();
+  Eigen::Vector3d max = Eigen::Vector3d::Zero();
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("min", o.min, "smallest corner [x, y, z]");
+    visit.required("max", o.max, "largest corner [x, y, z]");
+  }
+};
+
+/// Ball [length], its boundary included.
+struct SphereSelection {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0;
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("center", o.center, "center [x, y, z]");
+    visit.required("radius", o.radius, "radius, at least 0");
+  }
+};
+
+/// What an entry of an edit speaks of, by rest positions: exactly one is given.
+struct Selection {
+  std::optional<std::vector<int>> vertices;
+  std::optional<BoxSelection> box;
+  std::optional<SphereSelection> sphere;
+  std::optional<Eigen::Vector3d> nearest;
+  std::optional<Eigen::Vector3d> point;
+  std::optional<std::filesystem::path> file;  ///< read_edit turns it into `vertices`
+  std::optional<bool> all;
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit("vertices", o.vertices, "vertex indices, counted from 0");
+    visit("box", o.box, "all vertices inside an axis-aligned box");
+    visit("sphere", o.sphere, "all vertices inside a sphere");
+    visit("nearest", o.nearest, "the one vertex closest to [x, y, z]");
+    visit("point", o.point, "a place inside the shape, be it a vertex or not");
+    visit("file", o.file, "a text file with a vertex index a line, beside the YAML file");
+    visit("all", o.all, "true: every vertex");
+  }
+};
+
+/// A rotation of the selection, by the right-hand rule.
+struct Turn {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< any length but 0
+  double degrees = 0;
+  std::optional<Eigen::Vector3d> center;  ///< the centroid of the selection where not given
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("axis", o.axis, "direction [x, y, z] of any length");
+    visit.required("degrees", o.degrees, "angle, by the right-hand rule");
+    visit("center", o.center, "a point on the axis; the centroid of the selection by default");
+  }
+};
+
+/// One entry of an edit: a selection and what happens to it. Exactly one of fix, by, to and rotate
+/// is given, or rotate and by: first the rotation, then the translation.
+struct EditEntry {
+  Selection select;
+  std::optional<bool> fix;            ///< only ever true
+  std::optional<Eigen::Vector3d> by;  ///< translation [length]
+  /// Where the selection goes [length]: one vertex to this point, several as a rigid body whose
+  /// centroid comes to lie there, without rotation.
+  std::optional<Eigen::Vector3d> to;
+  std::optional<Turn> rotate;
+  std::string where;  ///< "edit entry 2 (line 5 of edit.yaml)", for messages
+  template <class Self, class Visit>
+  static void fields(Self& o, Visit&& visit) {
+    visit.required("select", o.select, "the vertices: exactly one of the following");
+    visit("fix", o.fix, "true: the vertices keep their place exactly");
+    visit("by", o.by, "translation [dx, dy, dz]");
+    visit("to", o.to, "the vertex, or the centroid of the selection, goes to [x, y, z]");
+    visit("rotate", o.rotate, "rotation; together with 'by' it comes first");
+  }
+};
+
+/// Reads the list under `edit:`. Throws InputError (naming the line) at anything that is not the
+/// grammar above: no selector or two, no action or two, a negative radius, min > max, a zero axis,
+/// numbers that are not finite, an unreadable file of indices, no entries at all.
+std::vector<EditEntry> read_edit(const ConfigNode& list);
+
+/// Throws InputError where not exactly one selector is given, or one that selects nothing possible.
+void check_selection(const Selection& select, const std::string& where);
+
+/// Reads a YAML file whose only key is `edit`. Throws InputError as load_config and read_edit do.
+std::vector<EditEntry> read_edit_file(const std::filesystem::path& path);
+
+/// What an edit means for one shape. Each vertex occurs once, in the order of the entries and
+/// within an entry by index.
+struct ResolvedEdit {
+  Handles handles;
+  Eigen::Matrix3Xd targets;  ///< 3×#: where handles.moved go, then handles.points [length]
+};
+
+/// A single place cannot show that it turns. One that is rotated takes a ring of places around it
+/// along, so that the shape there follows its angle however fine its mesh is (Igarashi et al. 2005,
+/// Figure 16).
+struct Rings {
+  double radius = 0;  ///< [length]; 0: single places do not turn
+  /// Whether a place lies in the shape; of a ring those that do are taken.
+  std::function<bool(const Eigen::Vector3d&)> inside = [](const Eigen::Vector3d&) { return true; };
+};
+
+/// Selects by rest positions. A vertex that several entries move to the same place
+/// counts once. Throws InputError (naming the entries) where an index does not exist, a selection
+/// is empty, a vertex is both fixed and moved or moved to two places, a target is not finite, or
+/// there are no entries.
+ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
+                     const Rings& rings = {});
+
+/// The vertices of a selection, ascending, each once; `where` is what messages call it. Throws
+/// InputError where there is none or the selection is of a place that need be no vertex.
+std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
+                                 const std::string& where);
+
+}  // namespace deformlab

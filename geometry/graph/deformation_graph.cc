@@ -1,0 +1,147 @@
+#include "geometry/graph/deformation_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+struct Overlap {
+  int j, k;
+  double amount;
+  bool operator<(const Overlap& o) const { return std::pair(j, k) < std::pair(o.j, o.k); }
+};
+
+// Sums the overlap of each pair of nodes: a table of hashes with open addressing, so that the time
+// does not grow with how many points a pair shares.
+class Overlaps {
+ public:
+  void add(int j, int k, double amount) {
+    if (kSlots * pairs_.size() >= table_.size()) grow();
+    int& at = slot(j, k);
+    if (at < 0) {
+      at = static_cast<int>(pairs_.size());
+      pairs_.push_back({j, k, 0});
+    }
+    pairs_[at].amount += amount;
+  }
+  std::vector<Overlap> sorted() && {
+    std::sort(pairs_.begin(), pairs_.end());
+    return std::move(pairs_);
+  }
+
+ private:
+  static constexpr std::size_t kSlots = 8;  // for each pair at least: most are found at once
+
+  int& slot(int j, int k) {
+    const std::size_t mask = table_.size() - 1;
+    std::uint64_t h = (std::uint64_t(std::uint32_t(j)) << 32 | std::uint32_t(k));
+    h *= 0x9e3779b97f4a7c15;
+    std::size_t at = (h ^ (h >> 32)) & mask;
+    while (table_[at] >= 0 && (pairs_[table_[at]].j != j || pairs_[table_[at]].k != k)) {
+      at = (at + 1) & mask;
+    }
+    return table_[at];
+  }
+  void grow() {
+    table_.assign(std::max<std::size_t>(1024, 2 * table_.size()), -1);
+    for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) slot(pairs_[i].j, pairs_[i].k) = i;
+  }
+
+  std::vector<int> table_;  // indices of pairs
+  std::vector<Overlap> pairs_;
+};
+
+// Every pair of nodes that share a vertex.
+std::vector<Overlap> overlaps(const Embedding& e, std::span<const int> followed) {
+  Overlaps pairs;
+  for (Eigen::Index i = 0; i < e.nodes.cols(); ++i) {
+    const Eigen::Index k = followed.empty() ? e.nodes.rows() : followed[i];
+    for (Eigen::Index a = 0; a < k; ++a) {
+      for (Eigen::Index b = a + 1; b < k; ++b) {
+        const int one = e.nodes(a, i), other = e.nodes(b, i);
+        pairs.add(std::min(one, other), std::max(one, other), e.weights(a, i) * e.weights(b, i));
+      }
+    }
+  }
+  return std::move(pairs).sorted();
+}
+
+int find_root(std::vector<int>& parent, int j) {
+  while (parent[j] != j) j = parent[j] = parent[parent[j]];
+  return j;
+}
+
+}  // namespace
+
+DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
+                         const std::string& alpha, std::span<const int> followed) {
+  if (alpha != "uniform" && alpha != "overlap" && alpha != "length") {
+    throw InputError("unknown graph.alpha '" + alpha + "'; known: uniform, overlap, length");
+  }
+  DeformationGraph graph{g, {}};
+  for (const Overlap& o : overlaps(embedding, followed))
+    graph.edges.push_back({o.j, o.k, o.amount});
+  if (alpha == "uniform") {
+    for (GraphEdge& edge : graph.edges) edge.alpha = 1;
+  } else if (alpha == "overlap") {
+    normalize_weights(graph);
+  } else {
+    weigh_by_length(graph);
+  }
+  return graph;
+}
+
+void weigh_by_length(DeformationGraph& graph) {
+  const auto length = [&](const GraphEdge& e) {
+    return (graph.g.col(e.j) - graph.g.col(e.k)).norm();
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const GraphEdge& edge : graph.edges) {
+    if (length(edge) > 0) least = std::min(least, length(edge));
+  }
+  // In units of the shortest, so that no power overflows.
+  for (GraphEdge& edge : graph.edges)
+    edge.alpha = std::pow(std::max(1.0, length(edge) / least), -2);
+  normalize_weights(graph);
+}
+
+void normalize_weights(DeformationGraph& graph) {
+  double sum = 0;
+  for (const GraphEdge& edge : graph.edges) sum += edge.alpha;
+  for (GraphEdge& edge : graph.edges) {
+    edge.alpha = sum > 0 ? edge.alpha * graph.edges.size() / sum : 1;
+  }
+}
+
+double mean_edge_length(const DeformationGraph& graph) {
+  double sum = 0;
+  for (const GraphEdge& e : graph.edges) sum += (graph.g.col(e.j) - graph.g.col(e.k)).norm();
+  const double fallback = graph.g.cols() > 0 ? bounding_box_diagonal(graph.g) : 0;
+  const double mean = graph.edges.empty() ? fallback : sum / graph.edges.size();
+  return mean > 0 ? mean : 1;
+}
+
+std::vector<int> components(const DeformationGraph& graph) {
+  std::vector<int> parent(graph.g.cols());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const GraphEdge& e : graph.edges) {
+    const auto [lo, hi] = std::minmax({find_root(parent, e.j), find_root(parent, e.k)});
+    parent[hi] = lo;  // the root is the smallest index, so numbers come out in order
+  }
+  std::vector<int> component(parent.size());
+  int count = 0;
+  for (int j = 0; j < static_cast<int>(parent.size()); ++j) {
+    const int root = find_root(parent, j);
+    component[j] = root == j ? count++ : component[root];
+  }
+  return component;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,207 @@
+#include "geometry/graph/graph_build.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "geometry/core/error.h"
+#include "geometry/graph/graph_file.h"
+#include "geometry/graph/graph_grid.h"
+#include "geometry/graph/graph_simplification.h"
+#include "geometry/graph/graph_vertices.h"
+#include "geometry/graph/sampling.h"
+#include "geometry/transfer/geodesic.h"
+
+namespace deformlab {
+namespace {
+
+template <class Action>
+auto timed(double& seconds, Action&& action) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = action();
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+// Nodes, the vertices that they sit on where they do, and the edges of a graph made by hand.
+struct Placed {
+  Eigen::Matrix3Xd g;
+  std::vector<int> vertices{};
+  std::optional<std::vector<GraphEdge>> edges{};
+};
+
+void check_file(const GraphOptions& options) {
+  const bool by_hand = options.method == "file";
+  if (by_hand && options.file.empty()) {
+    throw InputError(
+        "graph.method is file, but graph.file names none; give it an OBJ of 'v x y z' and "
+        "'l i j' lines");
+  }
+  if (!by_hand && !options.file.empty()) {
+    throw InputError("graph.file is '" + options.file.string() + "', but graph.method is " +
+                     options.method + "; make it file, or leave the file out");
+  }
+}
+
+Placed place(const Shape& shape, const GraphOptions& options) {
+  check_file(options);
+  const auto at = [&](const std::vector<int>& vertices) {
+    return Placed{shape.V(Eigen::all, vertices), vertices};
+  };
+  if (options.method == "sampling") {
+    const Eigen::Matrix3Xd g = sample_nodes(shape, options.nodes, options.seed);
+    if (options.distance == "euclidean") return {g};
+    return at(distinct_nearest_vertices(g, shape.V));
+  }
+  if (options.method == "simplification") {
+    return at(simplify(shape, options.nodes, options.aspect_ratio).vertices);
+  }
+  if (options.method == "grid") return at(grid_nodes(shape, options.nodes));
+  if (options.method == "file") {
+    DeformationGraph graph = read_graph(options.file);
+    return {std::move(graph.g), {}, std::move(graph.edges)};
+  }
+  throw InputError("unknown graph.method '" + options.method +
+                   "'; known: sampling, simplification, grid, file");
+}
+
+bool is_before(const GraphEdge& one, const GraphEdge& other) {
+  return std::pair(one.j, one.k) < std::pair(other.j, other.k);
+}
+
+// The edges made by hand, weighed as those of co-influence are: not at all where there is none.
+std::vector<GraphEdge> weighed(std::vector<GraphEdge> by_hand,
+                               const std::vector<GraphEdge>& by_influence) {
+  for (GraphEdge& edge : by_hand) {
+    const auto same = std::lower_bound(by_influence.begin(), by_influence.end(), edge, is_before);
+    edge.alpha = same != by_influence.end() && !is_before(edge, *same) ? same->alpha : 0;
+  }
+  return by_hand;
+}
+
+class Builder {
+ public:
+  Builder(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts)
+      : shape_(shape), options_(options), cuts_(cuts) {}
+
+  BuiltGraph run(const Placed& placed) {
+    VertexEmbedding embedded = timed(built_.seconds["embed"], [&] { return embed(placed); });
+    built_.in_space = embedded.followed.empty();
+    built_.graph = timed(built_.seconds["connect"], [&] { return join(placed, embedded); });
+    note(embedded);
+    built_.embedding = std::move(embedded.embedding);
+    return std::move(built_);
+  }
+
+ private:
+  VertexEmbedding embed(const Placed& placed) {
+    built_.node_vertices = placed.vertices;
+    const bool needed = !cuts_.empty() || options_.distance != "euclidean";
+    if (needed && placed.vertices.empty()) {
+      built_.node_vertices = nearest_vertices(placed.g, shape_.V);
+    }
+    groups_ = group(shape_.V.cols(), built_.node_vertices, cuts_);
+    return embed_vertices(shape_, placed.g, built_.node_vertices, groups_, options_);
+  }
+
+  DeformationGraph join(const Placed& placed, const VertexEmbedding& embedded) {
+    DeformationGraph graph =
+        connect(placed.g, embedded.embedding, options_.alpha, embedded.followed);
+    if (placed.edges) take(*placed.edges, graph);
+    if (!cuts_.empty()) cut(graph);
+    const bool changed = placed.edges || !cuts_.empty();
+    if (changed && options_.alpha != "uniform") normalize_weights(graph);
+    return graph;
+  }
+
+  // An edge of no weight joins nothing, and a part that only it joined is free.
+  void take(const std::vector<GraphEdge>& by_hand, DeformationGraph& graph) {
+    const bool by_overlap = options_.alpha == "overlap";
+    graph.edges = by_overlap ? weighed(by_hand, graph.edges) : by_hand;
+    if (options_.alpha == "length") weigh_by_length(graph);
+    const auto left_out =
+        std::erase_if(graph.edges, [](const GraphEdge& edge) { return edge.alpha == 0; });
+    if (left_out == 0) return;
+    built_.notes.push_back(
+        "edges that join nodes without a common vertex, which graph.alpha: overlap leaves out: " +
+        std::to_string(left_out));
+  }
+
+  void cut(DeformationGraph& graph) {
+    const int before = parts_without_cuts(graph.g);
+    std::erase_if(graph.edges, [&](const GraphEdge& edge) {
+      return groups_.apart[groups_.of_node[edge.j]][groups_.of_node[edge.k]];
+    });
+    if (parts(graph) <= before) return;
+    built_.notes.push_back("the cuts leave the graph in " + std::to_string(parts(graph)) +
+                           " parts instead of " + std::to_string(before) +
+                           ": each moves only with handles of its own");
+  }
+
+  int parts_without_cuts(const Eigen::Matrix3Xd& g) const {
+    if (options_.distance == "euclidean") {
+      return parts(connect(g, deformlab::embed(shape_.V, g, options_.neighbors)));
+    }
+    const std::vector<int> part = connected_parts(shape_);
+    std::set<int> met;
+    for (const int v : built_.node_vertices) met.insert(part[v]);
+    return static_cast<int>(met.size());
+  }
+
+  static int parts(const DeformationGraph& graph) {
+    return 1 + std::ranges::max(components(graph));
+  }
+
+  void note(const VertexEmbedding& embedded) {
+    const Eigen::Index m = built_.graph.g.cols(), k = embedded.embedding.nodes.rows();
+    if (k < options_.neighbors) {
+      built_.notes.push_back("the graph has " + std::to_string(m) +
+                             " nodes, fewer than graph.neighbors + 1: each vertex follows " +
+                             std::to_string(k));
+    }
+    if (m > shape_.V.cols()) {
+      built_.notes.push_back("the graph has " + std::to_string(m) + " nodes for " +
+                             std::to_string(shape_.V.cols()) +
+                             " vertices: nodes that no vertex follows do nothing; use fewer");
+    }
+    if (embedded.unreached > 0) {
+      built_.notes.push_back(
+          "vertices on parts of the surface where no node is, which follow the "
+          "nodes nearest in space: " +
+          std::to_string(embedded.unreached) + "; use more nodes");
+    }
+  }
+
+  const Shape& shape_;
+  const GraphOptions& options_;
+  std::span<const Cut> cuts_;
+  CutGroups groups_;
+  BuiltGraph built_;
+};
+
+}  // namespace
+
+BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts) {
+  check(shape, "the shape");
+  double seconds = 0;
+  const Placed placed = timed(seconds, [&] { return place(shape, options); });
+  BuiltGraph built = Builder(shape, options, cuts).run(placed);
+  built.seconds["sample"] = seconds;
+  return built;
+}
+
+BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
+                       const GraphOptions& options, std::span<const Cut> cuts) {
+  check(shape, "the shape");
+  if (nodes.cols() > 0) check(Shape{nodes, {}, {}}, "the nodes");
+  return Builder(shape, options, cuts).run({nodes});
+}
+
+BuiltGraph build_graph(const Shape& shape, DeformationGraph graph, const GraphOptions& options,
+                       std::span<const Cut> cuts) {
+  return Builder(shape, options, cuts).run({std::move(graph.g), {}, std::move(graph.edges)});
+}
+
+}  // namespace deformlab

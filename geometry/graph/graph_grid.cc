@@ -1,0 +1,108 @@
+#include "geometry/graph/graph_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "geometry/core/error.h"
+#include "geometry/graph/graph_vertices.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kLongestCell = 2;  // times its width
+
+struct Cells {
+  int a, b;      // along the longest side of the box, and the next
+  double shape;  // length over width of a cell, at least 1
+};
+
+// m as the product a·b that makes the cells of a w×h rectangle most square.
+Cells divide(double w, double h, int m) {
+  Cells best{m, 1, HUGE_VAL};
+  for (int b = 1; b <= m / b; ++b) {
+    if (m % b != 0) continue;
+    for (const auto& [along, across] : {std::pair(m / b, b), std::pair(b, m / b)}) {
+      const double ratio = (w / along) / (h / across);
+      const double shape = std::max(ratio, 1 / ratio);
+      if (shape < best.shape) best = {along, across, shape};
+    }
+  }
+  return best;
+}
+
+std::string text_of(const Cells& cells) {
+  return std::to_string(cells.a * cells.b) + " (" + std::to_string(cells.a) + " × " +
+         std::to_string(cells.b) + ")";
+}
+
+// "198 (18 × 11)" and "209 (19 × 11)", the next counts below and above m that make good cells,
+// with " or " between them. Where even a single row of good cells has more than the shape has
+// vertices there is none.
+std::string next_counts(double w, double h, int m, Eigen::Index most) {
+  std::string text;
+  for (const int step : {-1, 1}) {
+    for (int count = m + step; count > 0 && count <= most; count += step) {
+      const Cells cells = divide(w, h, count);
+      if (cells.shape > kLongestCell) continue;
+      text += (text.empty() ? "" : " or ") + text_of(cells);
+      break;
+    }
+  }
+  return text;
+}
+
+Cells checked_cells(double w, double h, int m, Eigen::Index vertices) {
+  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
+  if (!(h > 0)) throw InputError("graph.method: grid needs a flat shape, but this one is a line");
+  const Cells cells = divide(w, h, m);
+  if (cells.shape <= kLongestCell) return cells;
+  const bool too_thin = w / h / static_cast<double>(vertices) > kLongestCell;
+  const std::string counts = too_thin ? "" : next_counts(w, h, m, vertices);
+  std::ostringstream message;
+  message << "graph.nodes is " << m << ", which makes no regular grid over a shape of " << w
+          << " by " << h << " (at best " << cells.a << " × " << cells.b << "); take "
+          << (counts.empty() ? "graph.method: sampling" : counts);
+  throw InputError(message.str());
+}
+
+[[noreturn]] void reject_finer(int m, Eigen::Index vertices, const std::string& why) {
+  throw InputError("graph.nodes is " + std::to_string(m) + ", a grid finer than the shape's " +
+                   std::to_string(vertices) + " vertices" + why + "; use fewer nodes");
+}
+
+// The rows of V: the longest side of the bounding box first, then the next.
+std::array<int, 3> by_extent(const Eigen::Vector3d& extent) {
+  std::array<int, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(), [&](int r, int s) { return extent[r] > extent[s]; });
+  return axes;
+}
+
+}  // namespace
+
+std::vector<int> grid_nodes(const Shape& shape, int m) {
+  if (m > shape.V.cols()) reject_finer(m, shape.V.cols(), "");
+  const Eigen::Vector3d low = shape.V.rowwise().minCoeff();
+  const Eigen::Vector3d extent = shape.V.rowwise().maxCoeff() - low;
+  const auto [u, v, off] = by_extent(extent);
+  const Cells cells = checked_cells(extent[u], extent[v], m, shape.V.cols());
+  Eigen::Matrix3Xd flat = shape.V, middles = Eigen::Matrix3Xd::Zero(3, m);
+  flat.row(off).setZero();
+  for (int j = 0; j < m; ++j) {
+    middles(u, j) = low[u] + (j % cells.a + 0.5) / cells.a * extent[u];
+    middles(v, j) = low[v] + (static_cast<int>(j / cells.a) + 0.5) / cells.b * extent[v];
+  }
+  const std::vector<int> nodes = nearest_vertices(middles, flat);
+  std::vector<int> sorted = nodes;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice == sorted.end()) return nodes;
+  reject_finer(m, shape.V.cols(),
+               ": vertex " + std::to_string(*twice) + " is nearest to two of its cells");
+}
+
+}  // namespace deformlab

@@ -1,0 +1,236 @@
+#include "geometry/graph/sampling.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nanoflann.hpp>
+#include <numeric>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kDensity = 30;  // dense points for each node that was asked for
+constexpr int kFewestDense = 10000;
+constexpr int kMostNodes = 100000;  // far beyond what solves in seconds
+constexpr int kMostPasses = 100;    // of the search for the radius
+
+Eigen::VectorXd areas(const Shape& shape, const Eigen::Matrix3Xi& T) {
+  Eigen::VectorXd result(T.cols());
+  for (Eigen::Index i = 0; i < T.cols(); ++i) {
+    const Eigen::Vector3d a = shape.V.col(T(1, i)) - shape.V.col(T(0, i));
+    const Eigen::Vector3d b = shape.V.col(T(2, i)) - shape.V.col(T(0, i));
+    result[i] = a.cross(b).norm() / 2;
+  }
+  return result;
+}
+
+// Points in an order that is coherent in space where it may be, and which of them was drawn first,
+// second, …
+struct Dense {
+  Eigen::Matrix3Xd points;
+  std::vector<int> drawn;
+};
+
+struct Draw {
+  double triangle, root, along;  // uniform numbers, and the square root of one
+  int number;
+};
+
+// As std::discrete_distribution does, draws nothing for a choice of one.
+std::vector<Draw> draws(int count, bool one_triangle, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  std::vector<Draw> result(count);
+  for (int i = 0; i < count; ++i) {
+    Draw& draw = result[i];
+    draw.triangle = one_triangle ? 0 : uniform(random);
+    draw.root = std::sqrt(uniform(random)), draw.along = uniform(random), draw.number = i;
+  }
+  return result;
+}
+
+// Uniform over the area: the points that std::discrete_distribution would draw, but in the order of
+// their triangles, whose shares are then summed up once. (CGAL's generator draws its barycentric
+// coordinates from a global source, so that a seed would not be enough to repeat a run.)
+Dense points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi& T,
+                          const Eigen::VectorXd& area, int count, std::uint64_t seed) {
+  std::vector<Draw> all = draws(count, T.cols() == 1, seed);
+  std::sort(all.begin(), all.end(),
+            [](const Draw& a, const Draw& b) { return a.triangle < b.triangle; });
+  const double surface = std::accumulate(area.begin(), area.end(), 0.0);
+  Dense dense{Eigen::Matrix3Xd(3, count), std::vector<int>(count)};
+  Eigen::Index at = 0;
+  double share = area[0] / surface;  // of all triangles up to that one
+  for (int i = 0; i < count; ++i) {
+    const auto& [triangle, root, along, number] = all[i];
+    while (share < triangle && at + 1 < T.cols()) share += area[++at] / surface;
+    const Eigen::Vector3i t = T.col(at);
+    dense.points.col(i) = (1 - root) * shape.V.col(t[0]) + root * (1 - along) * shape.V.col(t[1]) +
+                          root * along * shape.V.col(t[2]);
+    dense.drawn[number] = i;
+  }
+  return dense;
+}
+
+Dense own_points(const Shape& shape) {
+  Dense dense{shape.V, std::vector<int>(shape.V.cols())};
+  std::iota(dense.drawn.begin(), dense.drawn.end(), 0);
+  return dense;
+}
+
+// Points taken in a random order, each removing all others within radius r.
+class Elimination {
+ public:
+  Elimination(const Dense& dense, std::uint64_t seed)
+      : tree_(3, dense.points, kLeaf), points_(dense.points), order_(dense.drawn) {
+    std::mt19937_64 random(seed);
+    std::shuffle(order_.begin(), order_.end(), random);
+  }
+
+  // Squared distances, compared strictly: the least positive number still removes copies.
+  std::vector<int> remaining(double r) {
+    const double reach = std::max(r * r, std::numeric_limits<double>::min());
+    if (neighbors_.size() > kMostNeighbors * order_.size()) forget();
+    std::vector<char> removed(order_.size(), 0);
+    std::vector<int> kept;
+    for (const int i : order_) {
+      if (removed[i]) continue;
+      kept.push_back(i);
+      for (const Neighbor& other : neighbors(i, reach)) {
+        if (other.distance < reach) removed[other.index] = 1;
+      }
+    }
+    return kept;
+  }
+
+ private:
+  using Tree =
+      nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2_Simple, false>;
+  static constexpr int kLeaf = 32;                  // a ball holds about kDensity points
+  static constexpr double kMargin = 1.01;           // of squared distances
+  static constexpr std::size_t kMostNeighbors = 4;  // kept for each point
+
+  struct Neighbor {
+    double distance;  // squared
+    int index;
+  };
+  // Some of all neighbors: those of one point, nearer than `reach`.
+  struct Ball {
+    double reach = 0;
+    std::size_t begin = 0, end = 0;
+  };
+  // What nanoflann asks of a set that it fills.
+  struct Collector {
+    double reach;
+    std::vector<Neighbor>& found;
+    bool full() const { return true; }
+    double worstDist() const { return reach; }
+    bool addPoint(double distance, Eigen::Index i) {
+      found.push_back({distance, static_cast<int>(i)});
+      return true;
+    }
+  };
+
+  // At least those nearer than `reach`. The passes have nearly the same radius and keep nearly the
+  // same points, so that most balls are there already.
+  std::span<const Neighbor> neighbors(int i, double reach) {
+    Ball& ball = balls_[i];
+    if (ball.reach < reach) {
+      ball.reach = kMargin * reach, ball.begin = neighbors_.size();
+      Collector collector{ball.reach, neighbors_};
+      tree_.index->findNeighbors(collector, points_.col(i).data(), {});
+      ball.end = neighbors_.size();
+    }
+    return {neighbors_.data() + ball.begin, ball.end - ball.begin};
+  }
+
+  void forget() {
+    std::ranges::fill(balls_, Ball{});
+    neighbors_.clear();
+  }
+
+  Tree tree_;
+  const Eigen::Matrix3Xd& points_;
+  std::vector<int> order_;
+  std::vector<Ball> balls_ = std::vector<Ball>(order_.size());
+  std::vector<Neighbor> neighbors_;
+};
+
+Eigen::Matrix3Xd pick(const Eigen::Matrix3Xd& points, const std::vector<int>& indices) {
+  return points(Eigen::all, indices);
+}
+
+// Drops the points that crowd their nearest neighbour most until m remain.
+void thin_out(Eigen::Matrix3Xd& g, int m) {
+  std::vector<int> kept(g.cols());
+  std::iota(kept.begin(), kept.end(), 0);
+  while (static_cast<int>(kept.size()) > m) {
+    std::size_t crowded = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < kept.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        const double distance = (g.col(kept[a]) - g.col(kept[b])).squaredNorm();
+        if (distance < least) least = distance, crowded = a;
+      }
+    }
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(crowded));
+  }
+  g = pick(g, kept);
+}
+
+std::vector<int> all_distinct(Elimination& elimination, int m) {
+  std::vector<int> distinct = elimination.remaining(0);
+  if (static_cast<int>(distinct.size()) >= m) return distinct;
+  throw InputError("graph.nodes is " + std::to_string(m) + ", but the shape has only " +
+                   std::to_string(distinct.size()) + " distinct point" +
+                   (distinct.size() == 1 ? "" : "s") + " to place nodes at");
+}
+
+// Searches the radius at which m points remain. Their number falls about as r⁻² on a surface; that
+// guess is taken while it stays within the bracket, which is halved otherwise.
+Eigen::Matrix3Xd eliminate_to(const Dense& dense, int m, double guess, std::uint64_t seed) {
+  Elimination elimination(dense, seed);
+  std::vector<int> best;  // at least m
+  double low = 0, high = std::numeric_limits<double>::infinity(), r = guess;
+  for (int pass = 0; pass < kMostPasses && static_cast<int>(best.size()) != m; ++pass) {
+    auto kept = elimination.remaining(r);
+    const int count = static_cast<int>(kept.size());
+    (count >= m ? low : high) = r;
+    if (count >= m && (best.empty() || kept.size() <= best.size())) best = std::move(kept);
+    const double scaled = r * std::sqrt(static_cast<double>(count) / m);
+    const bool inside = pass < kMostPasses / 4 && scaled > low && scaled < high;
+    r = inside ? scaled : std::isinf(high) ? 2 * low : (low + high) / 2;
+  }
+  if (best.empty()) best = all_distinct(elimination, m);
+  Eigen::Matrix3Xd g = pick(dense.points, best);
+  thin_out(g, m);
+  return g;
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed) {
+  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
+  if (m > kMostNodes) {
+    throw InputError("graph.nodes is " + std::to_string(m) + "; at most " +
+                     std::to_string(kMostNodes) + " are possible");
+  }
+  const Eigen::Matrix3Xi T = triangles(shape);
+  const Eigen::VectorXd area = areas(shape, T);
+  const double surface = area.sum();
+  const int count = std::max(kDensity * m, kFewestDense);
+  const Dense dense =
+      surface > 0 ? points_on_triangles(shape, T, area, count, seed) : own_points(shape);
+  const double extent = surface > 0 ? surface : std::pow(bounding_box_diagonal(shape.V), 2);
+  return eliminate_to(dense, m, std::sqrt(extent > 0 ? extent / m : 1), seed);
+}
+
+}  // namespace deformlab

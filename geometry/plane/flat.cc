@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "geometry/core/error.h"
+#include "geometry/plane/overlap/overlap_triangles.h"
+#include "geometry/plane/triangulation.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kFlat = 1e-6;  // extent along z that a file's digits may leave, as a share
+
+[[noreturn]] void reject(const std::string& name, const std::string& what) {
+  throw InputError("cannot use '" + name + "': " + what);
+}
+
+void check_flat(const Shape& shape, const std::string& name) {
+  const double z = shape.V.row(2).maxCoeff() - shape.V.row(2).minCoeff();
+  if (z <= kFlat * bounding_box_diagonal(shape.V)) return;
+  std::ostringstream what;
+  what << "it is not flat: z goes from " << shape.V.row(2).minCoeff() << " to "
+       << shape.V.row(2).maxCoeff() << "; all vertices need the same z";
+  reject(name, what.str());
+}
+
+void check_used(const Triangulation& mesh, const std::string& name) {
+  std::vector<bool> used(mesh.V.cols(), false);
+  for (const int v : mesh.F.reshaped()) used[v] = true;
+  const auto unused = std::ranges::find(used, false);
+  if (unused == used.end()) return;
+  reject(name, "vertex " + std::to_string(unused - used.begin()) +
+                   " (counted from 0) is the corner of no triangle; leave it out");
+}
+
+std::string described(const Triangulation& mesh, Eigen::Index t) {
+  std::ostringstream text;
+  text << "the triangle of vertices " << mesh.F.col(t).transpose() << " (counted from 0)";
+  return text.str();
+}
+
+// The way that all triangles turn.
+int common_turn(const Triangulation& mesh, const std::string& name) {
+  int first = 0;
+  for (Eigen::Index t = 0; t < mesh.F.cols(); ++t) {
+    const TriangleCorners c = mesh.V(Eigen::all, mesh.F.col(t));
+    const int here = turn(c.col(0), c.col(1), c.col(2));
+    if (here == 0) reject(name, described(mesh, t) + " has no area; leave it out");
+    if (first == 0) first = here;
+    if (here != first) {
+      reject(name, described(mesh, t) +
+                       " turns the other way than the first; all of them have to "
+                       "turn alike: unfold the mesh, or swap two of its corners");
+    }
+  }
+  return first;
+}
+
+}  // namespace
+
+Triangulation flat(const Shape& shape, const std::string& name) {
+  check(shape, name);
+  check_flat(shape, name);
+  Triangulation mesh{shape.V.topRows<2>(), triangles(shape)};
+  if (mesh.F.cols() == 0) reject(name, "it has no triangle; a drawing's mesh needs faces");
+  check_used(mesh, name);
+  if (common_turn(mesh, name) < 0) mesh.F.row(1).swap(mesh.F.row(2));
+  return mesh;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "geometry/core/error.h"
+#include "geometry/plane/boundary_sampling.h"
+#include "geometry/plane/delaunay_mesh.h"
+#include "geometry/plane/polygons.h"
+#include "geometry/plane/triangulation.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kFewest = 3, kMost = 200000;
+constexpr double kMostUneven = 10;
+constexpr double kLeastDetail = 1e-9;
+constexpr int kPasses = 40;           // of relaxation; triangles hardly get better after
+constexpr int kMostTries = 8;         // at a number of vertices
+constexpr double kFew = 0.8;          // share of them that edges of one length have to make
+constexpr double kMostStretch = 1.5;  // of edges: longer ones would not follow the boundary
+constexpr double kBlend = 0.1;  // share of the width on either side of the middle where edges grow
+
+[[noreturn]] void reject(const char* option, double value, double least, double most) {
+  std::ostringstream what;
+  what << option << " of the mesh is " << value << "; it must be " << least << " to " << most;
+  throw InputError(what.str());
+}
+
+void check(const TriangulationOptions& options) {
+  if (options.vertices < kFewest || options.vertices > kMost) {
+    reject("vertices", options.vertices, kFewest, kMost);
+  }
+  if (!(options.uneven >= 1 / kMostUneven && options.uneven <= kMostUneven)) {
+    reject("uneven", options.uneven, 1 / kMostUneven, kMostUneven);
+  }
+}
+
+// How the length of edges varies over a region.
+class Lengths {
+ public:
+  Lengths(const Region& region, double uneven)
+      : left_(region.outline.row(0).minCoeff()),
+        width_(region.outline.row(0).maxCoeff() - left_),
+        uneven_(uneven) {}
+
+  // As many edges as if all had that length, where the region is as high on the right as on the
+  // left.
+  Spacing spacing(double length) const {
+    if (uneven_ == 1) return [length](const Eigen::Vector2d&) { return length; };
+    const double middle = length * std::sqrt((uneven_ + 1 / uneven_) / 2);
+    return [*this, middle](const Eigen::Vector2d& place) {
+      const double from_middle = (place[0] - left_) / width_ - 0.5;
+      const double t = std::clamp(from_middle / kBlend, -1.0, 1.0);
+      return middle * std::pow(uneven_, t / 2);
+    };
+  }
+
+ private:
+  double left_, width_, uneven_;
+};
+
+// Equilateral triangles of that edge: each of area √3/4 h², two a vertex but for those on the rim.
+double edge_length(const Region& region, int vertices) {
+  const double inside = area(region) * 2 / std::sqrt(3.0), rim = perimeter(region) / 2;
+  return (rim + std::sqrt(rim * rim + 4 * vertices * inside)) / (2 * vertices);
+}
+
+// Meshes of one region for any length of edges.
+class Mesher {
+ public:
+  Mesher(const Region& region, const TriangulationOptions& options, const std::string& name)
+      : region_(region), lengths_(region, options.uneven), options_(options), name_(name) {}
+
+  // Edges so long that vertices are missing, if few; then as many more as are missing, less those
+  // that angles take after the relaxation.
+  Triangulation run() const {
+    const double length = coarse_length();
+    int least = options_.vertices;
+    Triangulation best = meshed(length, kPasses, least);
+    int last = static_cast<int>(best.V.cols());
+    for (int i = 1; i < kMostTries && off(best) > options_.vertices / 100; ++i) {
+      if (off(best) > options_.vertices / 3) break;  // the boundary asks for more
+      least -= last - options_.vertices;
+      Triangulation next = meshed(length, kPasses, least);
+      last = static_cast<int>(next.V.cols());
+      if (off(next) < off(best)) best = std::move(next);
+    }
+    return best;
+  }
+
+ private:
+  int off(const Triangulation& mesh) const {
+    return std::abs(static_cast<int>(mesh.V.cols()) - options_.vertices);
+  }
+
+  double coarse_length() const {
+    const double first = edge_length(region_, options_.vertices);
+    double length = first, best = first;
+    int least_off = std::numeric_limits<int>::max();
+    for (int i = 0; i < kMostTries; ++i) {
+      const Triangulation mesh = meshed(length, 0, 0);
+      if (off(mesh) < least_off) least_off = off(mesh), best = length;
+      const double share = static_cast<double>(mesh.V.cols()) / options_.vertices;
+      if (share > kFew && share <= 1) return length;
+      length = std::min(length * std::sqrt(2 * share / (kFew + 1)), kMostStretch * first);
+    }
+    return best;
+  }
+
+  Triangulation meshed(double length, int passes, int least) const {
+    const Spacing spacing = lengths_.spacing(length);
+    const int most = 2 * std::max(options_.vertices, 50000);
+    const Region sampled = resampled(region_, spacing);
+    check_apart(sampled);
+    auto mesh = delaunay_mesh(sampled, spacing, {passes, least, most});
+    if (mesh) return *std::move(mesh);
+    throw InputError("cannot use '" + name_ + "': good triangles would have more than " +
+                     std::to_string(most) +
+                     " vertices, so thin are its parts; make them thicker or leave them out");
+  }
+
+  // Computing with triangles costs more digits the thinner they are.
+  void check_apart(const Region& region) const {
+    Polygons polygons{region.outline};
+    polygons.insert(polygons.end(), region.holes.begin(), region.holes.end());
+    const double least = kLeastDetail * region.outline.cwiseAbs().maxCoeff();
+    const auto corner = corner_near_edge(polygons, least);
+    if (!corner) return;
+    const Eigen::Vector2d place = polygons[corner->polygon].col(corner->corner);
+    std::ostringstream what;
+    what << "cannot use '" << name_ << "': at (" << place[0] << ", " << place[1]
+         << ") its boundary is less than " << least
+         << " from itself, a billionth of the greatest coordinate; leave such detail out, or move "
+            "it all to the origin";
+    throw InputError(what.str());
+  }
+
+  const Region& region_;
+  Lengths lengths_;
+  const TriangulationOptions& options_;
+  const std::string& name_;
+};
+
+}  // namespace
+
+Triangulation triangulate(const Region& region, const TriangulationOptions& options,
+                          const std::string& name) {
+  check(options);
+  const Region clean = checked(region, name);
+  return Mesher(clean, options, name).run();
+}
+
+}  // namespace deformlab

@@ -1,0 +1,37 @@
+#include "geometry/plane/triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace deformlab {
+
+TriangleQuality quality(const Triangulation& mesh) {
+  TriangleQuality result{.least_angle = 180};
+  for (const auto& t : mesh.F.colwise()) {
+    double product = 1, around = 0, twice_area = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector2d u = mesh.V.col(t[(k + 1) % 3]) - mesh.V.col(t[k]);
+      const Eigen::Vector2d v = mesh.V.col(t[(k + 2) % 3]) - mesh.V.col(t[k]);
+      twice_area = std::abs(u[0] * v[1] - u[1] * v[0]);
+      const double angle = std::atan2(twice_area, u.dot(v)) * 180 / std::numbers::pi;
+      result.least_angle = std::min(result.least_angle, angle);
+      product *= u.norm();
+      around += u.norm();
+    }
+    // r_in = 2A / (a + b + c), r_out = abc / 4A
+    result.mean += 4 * twice_area * twice_area / (around * product);
+  }
+  result.mean /= static_cast<double>(mesh.F.cols());
+  return result;
+}
+
+Shape to_shape(const Triangulation& mesh) {
+  Shape shape;
+  shape.V = Eigen::Matrix3Xd::Zero(3, mesh.V.cols());
+  shape.V.topRows<2>() = mesh.V;
+  for (const auto& t : mesh.F.colwise()) shape.faces.push_back({t[0], t[1], t[2]});
+  return shape;
+}
+
+}  // namespace deformlab

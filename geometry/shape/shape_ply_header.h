@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "geometry/shape/shape_formats.h"
+
+namespace deformlab::formats {
+
+/// How a PLY file holds a number.
+struct PlyType {
+  enum class Kind { kSigned, kUnsigned, kReal } kind = Kind::kReal;
+  std::size_t size = 0;  ///< in bytes, where the file is binary
+};
+
+struct PlyProperty {
+  std::string name, type_name;
+  PlyType type;
+  std::optional<PlyType> count_type;  ///< of a list
+  Span line;                          ///< in the header
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t rows = 0;
+  std::vector<PlyProperty> properties;
+
+  bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
+};
+
+struct PlyHeader {
+  std::string format;  ///< as the file names it
+  Encoding encoding = Encoding::kText;
+  std::vector<PlyElement> elements;
+  std::size_t end = 0;  ///< where the body begins
+};
+
+/// Throws InputError where a header is incomplete, has unknown types, or lacks what a shape needs:
+/// vertices with x, y, z as float or double, and faces, if any, with a list of their vertices.
+PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
+
+}  // namespace deformlab::formats

@@ -1,0 +1,71 @@
+#include "geometry/transfer/embedding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geometry/core/error.h"
+#include "geometry/transfer/nearest_nodes.h"
+
+namespace deformlab {
+
+void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k) {
+  const double d_max = distances[k];
+  auto w = distances.head(k);
+  if (d_max > 0) w = (1 - w.array() / d_max).square();
+  const double sum = w.sum();
+  if (d_max > 0 && sum > 0) {
+    w /= sum;
+  } else {
+    w.setConstant(1.0 / k);
+  }
+}
+
+Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
+  if (g.cols() == 0) throw InputError("a deformation graph without nodes can deform nothing");
+  if (k < 1 || k > kMaxNeighbors) {
+    throw InputError("graph.neighbors is " + std::to_string(k) + "; allowed are 1 to " +
+                     std::to_string(kMaxNeighbors) + " (the paper uses 4)");
+  }
+  const int m = static_cast<int>(g.cols());
+  const int n = static_cast<int>(v.cols());
+  const int nearest = std::min(k + 1, m);
+  k = std::max(1, nearest - 1);
+  Embedding result{v, Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
+
+  NearestNodes nearest_nodes(g, nearest);
+  Eigen::VectorXd distances(k + 1);
+  Eigen::VectorXi found(k + 1);
+  for (int i = 0; i < n; ++i) {
+    nearest_nodes.find(v.col(i), found.data(), distances.data());
+    if (nearest == k) distances[k] = 2 * distances[0] + 1;  // the only node: any d_max gives 1
+    weigh(distances, k);
+    result.nodes.col(i) = found.head(k);
+    result.weights.col(i) = distances.head(k);
+  }
+  return result;
+}
+
+Embedding joined(const Embedding& first, const Embedding& second) {
+  const Eigen::Index k = first.nodes.rows(), n = first.v.cols() + second.v.cols();
+  Embedding result{Eigen::Matrix3Xd(3, n), Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
+  result.v << first.v, second.v;
+  result.nodes << first.nodes, second.nodes;
+  result.weights << first.weights, second.weights;
+  return result;
+}
+
+Embedding subset(const Embedding& embedding, std::span<const int> indices) {
+  const auto n = static_cast<Eigen::Index>(indices.size());
+  const Eigen::Index k = embedding.nodes.rows();
+  Embedding result{Eigen::Matrix3Xd(3, n), Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
+  for (Eigen::Index l = 0; l < n; ++l) {
+    const int i = indices[static_cast<std::size_t>(l)];
+    result.v.col(l) = embedding.v.col(i);
+    result.nodes.col(l) = embedding.nodes.col(i);
+    result.weights.col(l) = embedding.weights.col(i);
+  }
+  return result;
+}
+
+}  // namespace deformlab

@@ -1,0 +1,242 @@
+#include "render/render.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/core/error.h"
+#include "geometry/core/workers.h"
+#include "render/ray_scene.h"
+#include "render/surface.h"
+
+namespace deformlab {
+namespace {
+
+constexpr float kHiddenOpacity = 0.55F;  // of what lies just below the surface
+constexpr float kFadeDepth = 0.06F;      // where it is gone, framed coordinates
+constexpr double kAlike = 10;            // shapes of more different sizes are framed one by one
+constexpr float kForgivenDepth = 2.0F;   // in radii: what is so near the surface counts as on it
+
+/// Directions towards the lights, as the camera sees them: however it stands, the picture is lit.
+struct Lights {
+  Eigen::Vector3f key, fill, sky;
+
+  Lights(const View& view, const Eigen::Vector3d& toward_key)
+      : key(view_direction(view, toward_key)),
+        fill(view_direction(view, {0.80, 0.10, 0.60})),
+        sky(view_direction(view, {0.00, 1.00, 0.15})) {}
+
+  static Eigen::Vector3f view_direction(const View& view, const Eigen::Vector3d& d) {
+    return (d.x() * view.right + d.y() * view.up - d.z() * view.forward).normalized().cast<float>();
+  }
+
+  /// A large light still reaches a little way around the edge where the cosine is zero.
+  static float soft(float cosine) {
+    constexpr float kWrap = 0.15F;
+    return std::max(0.0F, (cosine + kWrap) / (1 + kWrap));
+  }
+
+  Eigen::Vector3f shade(const Eigen::Vector3f& albedo, const Eigen::Vector3f& n, float open) const {
+    const float direct =
+        0.85F * soft(n.dot(key)) * (0.4F + 0.6F * open) + 0.18F * soft(n.dot(fill)) * open;
+    const float ambient = (0.26F + 0.10F * n.dot(sky)) * (0.15F + 0.85F * open);
+    return (direct + ambient) * albedo;
+  }
+};
+
+/// Balls and sticks, in framed coordinates.
+struct Overlay {
+  RayScene scene;
+  Eigen::RowVectorXf radius[2];
+  Eigen::Matrix3Xf color[2];
+};
+
+void require_finite(const Eigen::Vector3d& place, double radius, const Color& color,
+                    const std::string& what) {
+  if (place.allFinite() && std::isfinite(radius) && radius >= 0 && color.allFinite()) return;
+  throw InputError("cannot draw " + what +
+                   ": its position, radius and colour must be finite, and its radius not negative");
+}
+
+Eigen::Vector4f framed_ball(const View& view, const Eigen::Vector3d& center, double radius) {
+  Eigen::Vector4d ball;
+  ball << (center - view.center) / view.size, radius / view.size;
+  return ball.cast<float>();
+}
+
+void lay_balls(const std::vector<Ball>& balls, const View& view, Overlay& overlay) {
+  const auto count = static_cast<Eigen::Index>(balls.size());
+  Eigen::Matrix4Xf columns(4, count);
+  overlay.color[0].resize(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Ball& ball = balls[static_cast<std::size_t>(i)];
+    require_finite(ball.center, ball.radius, ball.color, "ball " + std::to_string(i));
+    columns.col(i) = framed_ball(view, ball.center, ball.radius);
+    overlay.color[0].col(i) = to_linear(ball.color);
+  }
+  overlay.radius[0] = columns.row(3);
+  overlay.scene.add_balls(columns);
+}
+
+void lay_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& overlay) {
+  const auto count = static_cast<Eigen::Index>(sticks.size());
+  Eigen::Matrix4Xf ends(4, 2 * count);
+  overlay.color[1].resize(3, count);
+  overlay.radius[1].resize(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Stick& stick = sticks[static_cast<std::size_t>(i)];
+    require_finite(stick.a + stick.b, stick.radius, stick.color, "stick " + std::to_string(i));
+    ends.col(2 * i) = framed_ball(view, stick.a, stick.radius);
+    ends.col(2 * i + 1) = framed_ball(view, stick.b, stick.radius);
+    overlay.radius[1](i) = ends(3, 2 * i);
+    overlay.color[1].col(i) = to_linear(stick.color);
+  }
+  overlay.scene.add_sticks(ends);
+}
+
+/// One picture being made: what a ray sees.
+struct Scene {
+  Scene(const Panel& panel, const View& v, const Eigen::Vector3d& light)
+      : view(v), lights(v, light), surface(panel.shape, panel.vertex_colors, v) {
+    lay_balls(panel.balls, view, overlay);
+    lay_sticks(panel.sticks, view, overlay);
+    overlay.scene.commit();
+  }
+
+  Eigen::Vector3f seen(const Eigen::Vector3f& eye, const Eigen::Vector3f& ray) const {
+    Eigen::Vector3f color = Eigen::Vector3f::Ones();
+    float depth = std::numeric_limits<float>::infinity();
+    if (const auto hit = surface.scene().first_hit(eye, ray)) {
+      const SurfacePoint point = surface.at(*hit, ray);
+      color = lights.shade(point.color, point.normal, point.openness);
+      depth = hit->distance;
+    }
+    if (const auto hit = overlay.scene.first_hit(eye, ray)) {
+      const float opacity = overlay_opacity(*hit, depth);
+      color += opacity * (overlay_color(*hit, ray) - color);
+    }
+    return color;
+  }
+
+  float overlay_opacity(const Hit& hit, float depth) const {
+    const float below =
+        hit.distance - depth - kForgivenDepth * overlay.radius[hit.object](hit.element);
+    return below <= 0 ? 1 : kHiddenOpacity * std::max(0.0F, 1 - below / kFadeDepth);
+  }
+
+  Eigen::Vector3f overlay_color(const Hit& hit, const Eigen::Vector3f& ray) const {
+    Eigen::Vector3f normal = hit.normal.stableNormalized();
+    if (normal.dot(ray) > 0) normal = -normal;
+    const float light = 0.65F + 0.45F * std::max(0.0F, normal.dot(lights.key));
+    return light * overlay.color[hit.object].col(hit.element);
+  }
+
+  View view;
+  Lights lights;
+  Surface surface;
+  Overlay overlay;
+};
+
+void render_row(const Scene& scene, int y, int samples, Image& image) {
+  const Eigen::Vector3f eye = scene.view.eye.cast<float>();
+  for (int x = 0; x < image.width; ++x) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int i = 0; i < samples * samples; ++i) {
+      const double s = (x + (i % samples + 0.5) / samples) / image.width;
+      const double t = (y + (i / samples + 0.5) / samples) / image.height;
+      const Eigen::Vector3d ray = scene.view.forward +
+                                  (2 * s - 1) * scene.view.tan_x * scene.view.right +
+                                  (1 - 2 * t) * scene.view.tan_y * scene.view.up;
+      sum += scene.seen(eye, ray.normalized().cast<float>()).cwiseMin(1.0F);
+    }
+    store(sum / static_cast<float>(samples * samples), image.pixel(x, y));
+  }
+}
+
+// Whether all show at one scale, seen by one camera; a sweep over shapes may not.
+bool are_alike(const std::vector<Panel>& panels) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Panel& panel : panels) {
+    if (panel.camera != panels[0].camera) return false;
+    if (!panel.shape) continue;
+    const double size = bounding_box_diagonal(panel.shape->V);
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  return panels.size() < 2 || most <= kAlike * least;
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd tinted(const Shape& shape, const std::vector<int>& vertices, const Color& color) {
+  Eigen::Matrix3Xd all = colors::kSurface.replicate(1, shape.V.cols());
+  for (const int v : vertices) {
+    if (v < 0 || v >= shape.V.cols())
+      throw InputError("cannot tint vertex " + std::to_string(v) + ": the shape has " +
+                       std::to_string(shape.V.cols()));
+    all.col(v) = color;
+  }
+  return all;
+}
+
+void add_balls(Panel& panel, const Eigen::Matrix3Xd& places, double radius, const Color& color) {
+  for (const auto& place : places.colwise()) panel.balls.push_back({place, radius, color});
+}
+
+void add_graph(Panel& panel, const DeformationGraph& graph, const Eigen::Matrix3Xd& places,
+               double radius) {
+  add_balls(panel, places, radius, colors::kNode);
+  for (const GraphEdge& edge : graph.edges)
+    panel.sticks.push_back({places.col(edge.j), places.col(edge.k), radius / 3, colors::kEdge});
+}
+
+Eigen::Matrix3Xd extent(const std::vector<Panel>& panels) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Panel& panel : panels) {
+    if (panel.shape)
+      for (const auto& v : panel.shape->V.colwise()) points.emplace_back(v);
+    for (const Ball& ball : panel.balls) points.push_back(ball.center);
+    for (const Stick& stick : panel.sticks) points.insert(points.end(), {stick.a, stick.b});
+  }
+  Eigen::Matrix3Xd P(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) P.col(static_cast<Eigen::Index>(i)) = points[i];
+  return P;
+}
+
+Image render(const Panel& panel, const View& view, const RenderOptions& options) {
+  if (options.samples < 1)
+    throw InputError("cannot render with " + std::to_string(options.samples) +
+                     " samples: at least 1 is needed");
+  Image image(options.width, options.height);
+  const Scene scene(panel, view, options.light);
+  Workers(options.threads).each(image.height, [&](int y) {
+    render_row(scene, y, options.samples, image);
+  });
+  return image;
+}
+
+std::vector<Image> render_alike(const std::vector<Panel>& panels, const RenderOptions& options) {
+  const Eigen::Matrix3Xd all = extent(panels);
+  std::vector<Image> images;
+  for (const Panel& panel : panels) {
+    const Camera& camera = panel.camera ? *panel.camera : options.camera;
+    images.push_back(render(panel, frame(all, camera, options.width, options.height), options));
+  }
+  images = cropped_alike(images, options.width / 40);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    images[i] = with_caption(images[i], panels[i].caption);
+  return images;
+}
+
+Image render_grid(const std::vector<Panel>& panels, const RenderOptions& options, int columns) {
+  std::vector<Image> images;
+  if (are_alike(panels)) {
+    images = render_alike(panels, options);
+  } else {
+    for (const Panel& panel : panels) images.push_back(render_alike({panel}, options).front());
+  }
+  return grid(images, columns > 0 ? columns : std::max(1, static_cast<int>(panels.size())));
+}
+
+}  // namespace deformlab

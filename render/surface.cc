@@ -1,0 +1,162 @@
+#include "render/surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <nanoflann.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "geometry/core/error.h"
+#include "render/color.h"
+
+namespace deformlab {
+namespace {
+
+constexpr int kDirections = 128;        // over the sphere, half of them above any one vertex
+constexpr float kReach = 0.30F;         // how far occluders count, framed coordinates
+constexpr float kClearance = 1e-3F;     // framed coordinates
+constexpr float kSmoothCosine = 0.62F;  // a corner turned further from its face is a crease
+constexpr double kSmallestDot = 7e-4, kLargestDot = 0.02, kDotPerSpacing = 1.3;
+
+/// Spread evenly over the sphere by the golden angle. Every vertex uses the same ones: occlusion
+/// then varies smoothly along the surface, without noise.
+Eigen::Matrix3Xf sphere_directions() {
+  Eigen::Matrix3Xf D(3, kDirections);
+  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < kDirections; ++i) {
+    const double z = 1 - (2 * i + 1.0) / kDirections, r = std::sqrt(1 - z * z);
+    D.col(i) = Eigen::Vector3d(r * std::cos(turn * i), r * std::sin(turn * i), z).cast<float>();
+  }
+  return D;
+}
+
+/// Median distance to the nearest point at another place; 0 where there is none.
+double typical_spacing(const Eigen::Matrix3Xd& P) {
+  using Tree =
+      nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2_Simple, false>;
+  const Tree tree(3, P);
+  constexpr std::size_t kNeighbors = 4;  // itself, and a few in case of repeated points
+  std::vector<double> spacings;
+  for (Eigen::Index i = 0; i < P.cols(); ++i) {
+    Eigen::Index indices[kNeighbors];
+    double squared[kNeighbors];
+    const std::size_t found = tree.index->knnSearch(P.col(i).data(), kNeighbors, indices, squared);
+    const double* nearest = std::find_if(squared, squared + found, [](double d) { return d > 0; });
+    if (nearest != squared + found) spacings.push_back(std::sqrt(*nearest));
+  }
+  if (spacings.empty()) return 0;
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
+}
+
+bool any_area(const Eigen::Matrix3Xd& P, const Eigen::Matrix3Xi& triangles) {
+  for (const auto& t : triangles.colwise()) {
+    const Eigen::Vector3d a = P.col(t(1)) - P.col(t(0)), b = P.col(t(2)) - P.col(t(0));
+    if (a.cross(b).squaredNorm() > 0) return true;
+  }
+  return false;
+}
+
+Eigen::Matrix3Xf linear_colors(const Eigen::Matrix3Xd& colors, Eigen::Index count) {
+  if (colors.cols() != 0 && colors.cols() != count)
+    throw InputError("cannot colour " + std::to_string(count) + " vertices with " +
+                     std::to_string(colors.cols()) + " colours: give one a vertex, or none");
+  if (!colors.allFinite()) throw InputError("cannot draw vertex colours that are not finite");
+  Eigen::Matrix3Xf linear(3, count);
+  if (colors.cols() == 0) return linear.colwise() = to_linear(colors::kSurface), linear;
+  for (Eigen::Index i = 0; i < count; ++i) linear.col(i) = to_linear(colors.col(i));
+  return linear;
+}
+
+}  // namespace
+
+Surface::Surface(const Shape* shape, const Eigen::Matrix3Xd& colors, const View& view)
+    : directions_(sphere_directions()), openness_(shape ? 2 * shape->V.cols() : 0) {
+  for (auto& openness : openness_) openness.store(-1, std::memory_order_relaxed);
+  if (shape) {
+    check(*shape, "the shape to draw");
+    const Shape framed{view.framed(shape->V), shape->N, shape->faces};
+    colors_ = linear_colors(colors, shape->V.cols());
+    V_ = framed.V.cast<float>();
+    triangles_ = triangles(framed);
+    if (any_area(framed.V, triangles_)) {
+      N_ = vertex_normals(framed).cast<float>();
+      clearance_ = kClearance;
+      scene_.add_triangles(V_, triangles_);
+    } else {
+      add_dots(framed, view);
+    }
+  }
+  scene_.commit();
+}
+
+void Surface::add_dots(const Shape& framed, const View& view) {
+  triangles_.resize(3, 0);
+  const double spacing = typical_spacing(framed.V);
+  const double radius =
+      spacing > 0 ? std::clamp(kDotPerSpacing * spacing, kSmallestDot, kLargestDot) : kLargestDot;
+  Eigen::Matrix4Xf balls(4, V_.cols());
+  balls << V_, Eigen::RowVectorXf::Constant(V_.cols(), static_cast<float>(radius));
+  scene_.add_balls(balls);
+  clearance_ = static_cast<float>(1.5 * radius);
+  has_normals_ = framed.N.cols() == V_.cols();
+  if (has_normals_) N_ = framed.N.cast<float>();
+  if (!has_normals_) N_ = (-V_).colwise() + view.eye.cast<float>();
+  N_.colwise().normalize();
+}
+
+SurfacePoint Surface::at(const Hit& hit, const Eigen::Vector3f& ray) const {
+  Eigen::Vector3f face = hit.normal.stableNormalized();
+  if (face.dot(ray) > 0) face = -face;
+  if (triangles_.cols() == 0) return dot_at(hit, ray, face);
+  const float weights[] = {1 - hit.u - hit.v, hit.u, hit.v};
+  SurfacePoint point{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), 0};
+  for (int c = 0; c < 3; ++c) {
+    const int vertex = triangles_(c, hit.element);
+    const float cosine = N_.col(vertex).dot(face);
+    const float side = cosine < 0 ? -1.0F : 1.0F;
+    const bool smooth = std::abs(cosine) >= kSmoothCosine;
+    point.normal += weights[c] * (smooth ? Eigen::Vector3f(side * N_.col(vertex)) : face);
+    point.color += weights[c] * colors_.col(vertex);
+    point.openness += weights[c] * openness(vertex, side < 0);
+  }
+  point.normal.normalize();
+  return point;
+}
+
+SurfacePoint Surface::dot_at(const Hit& hit, const Eigen::Vector3f& ray,
+                             const Eigen::Vector3f& face) const {
+  const Eigen::Vector3f normal = N_.col(hit.element);
+  const bool back = normal.dot(ray) > 0;
+  SurfacePoint point{face, colors_.col(hit.element), openness(hit.element, back)};
+  if (has_normals_ && !normal.isZero()) point.normal = back ? Eigen::Vector3f(-normal) : normal;
+  return point;
+}
+
+float Surface::openness(int vertex, bool back) const {
+  std::atomic<float>& known = openness_[2 * static_cast<std::size_t>(vertex) + (back ? 1 : 0)];
+  float openness = known.load(std::memory_order_relaxed);
+  if (openness < 0) {
+    openness = measure_openness(vertex, back);
+    known.store(openness, std::memory_order_relaxed);
+  }
+  return openness;
+}
+
+float Surface::measure_openness(int vertex, bool back) const {
+  const Eigen::Vector3f normal = back ? Eigen::Vector3f(-N_.col(vertex)) : N_.col(vertex);
+  const Eigen::Vector3f start = V_.col(vertex) + clearance_ * normal;
+  float open = 0, all = 0;
+  for (const auto& direction : directions_.colwise()) {
+    const float cosine = normal.dot(direction);
+    if (cosine <= 0) continue;
+    all += cosine;
+    if (!scene_.blocked(start, direction, kReach)) open += cosine;
+  }
+  return all > 0 ? open / all : 1;
+}
+
+}  // namespace deformlab

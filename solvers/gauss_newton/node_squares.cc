@@ -1,0 +1,83 @@
+#include "solvers/gauss_newton/node_squares.h"
+
+#include "geometry/core/simd_block.h"
+#include "geometry/core/simd_dispatch.h"
+
+namespace deformlab {
+namespace {
+
+// A block's columns are d entries apart, so four of them from a column's first on bring along what
+// does not belong to it, and is multiplied by 0 in the end.
+template <int d, int count>
+DEFORMLAB_INLINE void multiply(const int* rank, const double* JtJ, std::ptrdiff_t elements,
+                               double weight, const double* p, double* Hp) {
+  constexpr int n = d * count;
+  const SimdBlock own = {weight, weight, d > 2 ? weight : 0, 0};
+  for (std::ptrdiff_t e = 0; e < elements; ++e, rank += count, JtJ += n * n) {
+    if (rank[0] < 0) continue;
+    SimdBlock sum[count] = {};
+    const double* column = JtJ;
+    for (int q = 0; q < count; ++q) {
+      const double* x = p + 4 * std::ptrdiff_t(rank[q]);
+      for (int i = 0; i < d; ++i, column += n) {
+        for (int c = 0; c < count; ++c) sum[c] += x[i] * simd_block(column + c * d);
+      }
+    }
+    for (int c = 0; c < count; ++c) simd_block(Hp + 4 * std::ptrdiff_t(rank[c])) += own * sum[c];
+  }
+}
+
+// The sizes of graphs in space and in the plane.
+DEFORMLAB_SIMD_DISPATCH
+void multiply_3_3(const int* rank, const double* JtJ, std::ptrdiff_t elements, double weight,
+                  const double* p, double* Hp) {
+  multiply<3, 3>(rank, JtJ, elements, weight, p, Hp);
+}
+DEFORMLAB_SIMD_DISPATCH
+void multiply_2_2(const int* rank, const double* JtJ, std::ptrdiff_t elements, double weight,
+                  const double* p, double* Hp) {
+  multiply<2, 2>(rank, JtJ, elements, weight, p, Hp);
+}
+
+void multiply_any(int d, int count, const int* rank, const double* JtJ, std::ptrdiff_t elements,
+                  double weight, const double* p, double* Hp) {
+  const int n = d * count;
+  for (std::ptrdiff_t e = 0; e < elements; ++e, rank += count, JtJ += n * n) {
+    if (rank[0] < 0) continue;
+    for (int q = 0; q < n; ++q) {
+      const double x = weight * p[4 * std::ptrdiff_t(rank[q / d]) + q % d];
+      for (int r = 0; r < n; ++r) Hp[4 * std::ptrdiff_t(rank[r / d]) + r % d] += JtJ[q * n + r] * x;
+    }
+  }
+}
+
+}  // namespace
+
+void NodeSquares::compile(const Linearization& linearization) {
+  ranks_.clear();
+  for (const auto& part : linearization.parts()) {
+    ranks_.emplace_back();
+    if (!part.square()) continue;
+    for (const int column : part.column) ranks_.back().push_back(linearization.rank()[column]);
+  }
+}
+
+void NodeSquares::add_product(const Linearization& linearization, const ColumnBlock& p,
+                              ColumnBlock& Hp) const {
+  const int d = linearization.dimension();
+  for (std::size_t i = 0; i < ranks_.size(); ++i) {
+    const auto& part = linearization.parts()[i];
+    if (!part.square()) continue;
+    const int count = part.energy->argument(0).count, elements = part.energy->size();
+    if (d == 3 && count == 3) {
+      multiply_3_3(ranks_[i].data(), part.JtJ.data(), elements, part.weight, p.data(), Hp.data());
+    } else if (d == 2 && count == 2) {
+      multiply_2_2(ranks_[i].data(), part.JtJ.data(), elements, part.weight, p.data(), Hp.data());
+    } else {
+      multiply_any(d, count, ranks_[i].data(), part.JtJ.data(), elements, part.weight, p.data(),
+                   Hp.data());
+    }
+  }
+}
+
+}  // namespace deformlab

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cholmod.h>
+
+#include <memory>
+
+#include "solvers/linear/linear_solver.h"
+
+namespace deformlab {
+
+/// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders
+/// or, quickly, in AMD's where that fills little.
+class CholmodSolver final : public LinearSolver {
+ public:
+  explicit CholmodSolver(int threads = 1);
+  ~CholmodSolver() override;
+  CholmodSolver(const CholmodSolver&) = delete;
+  CholmodSolver& operator=(const CholmodSolver&) = delete;
+
+  Eigen::VectorXi order(const SparseMatrix& lower, int group, bool quick) override;
+  void analyze(const SparseMatrix& lower) override;
+  bool factorize(const SparseMatrix& lower) override;
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override;
+  long nonzeros() const override;
+
+ private:
+  void free_factor();
+  Eigen::VectorXi analyzed(cholmod_factor* factor);
+
+  int threads_;
+  cholmod_common common_;
+  cholmod_factor* L_ = nullptr;
+  // Results and workspace of cholmod_solve2, which reuses them from solve to solve.
+  cholmod_dense *x_ = nullptr, *Y_ = nullptr, *E_ = nullptr;
+};
+
+}  // namespace deformlab

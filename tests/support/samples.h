@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "energies/unknowns.h"
+#include "geometry/graph/deformation_graph.h"
+#include "geometry/plane/barycentric_point.h"
+#include "geometry/plane/triangulation.h"
+#include "geometry/transfer/transfer.h"
+#include "tests/support/shapes.h"
+
+namespace deformlab::test {
+
+/// What terms are summed over: a deformation graph and handles embedded in it, a triangulation and
+/// a weight for each of its triangles, and places in it.
+struct Sample {
+  DeformationGraph graph;
+  Embedding handles;
+  Triangulation mesh;
+  Eigen::VectorXd weights;
+  std::vector<BarycentricPoint> places;
+
+  int nodes() const { return static_cast<int>(graph.g.cols()); }
+  /// R_j = I, t_j = 0, in d dimensions.
+  Unknowns rest(int d = 3) const {
+    Eigen::MatrixXd I = Eigen::MatrixXd::Identity(d, d + 1);
+    return Unknowns::uniform(I.replicate(1, nodes()), nodes());
+  }
+};
+
+/// n×n vertices over [0, 3]², somewhat shaken, and two triangles between four of them.
+inline Triangulation shaken_grid(int n, unsigned seed = 1) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> shake(-0.2, 0.2);
+  Triangulation mesh{Eigen::Matrix2Xd(2, n * n), Eigen::Matrix3Xi(3, 2 * (n - 1) * (n - 1))};
+  for (int i = 0; i < n * n; ++i) mesh.V.col(i) << i % n + shake(random), i / n + shake(random);
+  mesh.V *= 3.0 / (n - 1);
+  for (int y = 0, f = 0; y + 1 < n; ++y) {
+    for (int x = 0; x + 1 < n; ++x) {
+      const int a = y * n + x;
+      mesh.F.col(f++) << a, a + 1, a + 1 + n;
+      mesh.F.col(f++) << a, a + 1 + n, a + n;
+    }
+  }
+  return mesh;
+}
+
+/// The nodes `g`, joined over the points `v`; those in the first and the last tenth along x are the
+/// handles. Everything is in units of the mean edge.
+inline Sample make_sample(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, int k) {
+  const Embedding shape = embed(v, g, k);
+  Sample sample{connect(g, shape, "overlap"), {}, {}, {}, {}};
+  const double low = v.row(0).minCoeff(), high = v.row(0).maxCoeff();
+  std::vector<int> ends;
+  for (int i = 0; i < v.cols(); ++i) {
+    const double along = (v(0, i) - low) / (high - low);
+    if (along < 0.1 || along > 0.9) ends.push_back(i);
+  }
+  sample.handles = subset(shape, ends);
+  const double unit = mean_edge_length(sample.graph);
+  sample.graph.g /= unit;
+  sample.handles.v /= unit;
+  return sample;
+}
+
+/// m nodes at random in a thick plate, with 15 points a node.
+inline Sample random_sample(int m, int k = 4, unsigned seed = 1) {
+  const Eigen::Vector3d size(3, 1, 0.3);
+  Sample sample =
+      make_sample(random_points(m, size, seed), random_points(15 * m, size, seed + 1), k);
+  sample.mesh = shaken_grid(4, seed);
+  sample.weights = Eigen::VectorXd::LinSpaced(sample.mesh.F.cols(), 0.5, 3);
+  for (const int f : {0, 3, 7}) sample.places.push_back({sample.mesh.F.col(f), {0.2, 0.3, 0.5}});
+  return sample;
+}
+
+/// Where the handles go: the upper half along x turns by `angle` about x and rises by `lift`.
+inline Eigen::Matrix3Xd twisted(const Embedding& handles, double angle, double lift) {
+  const Eigen::Matrix3d Q = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).matrix();
+  const double middle = (handles.v.row(0).minCoeff() + handles.v.row(0).maxCoeff()) / 2;
+  Eigen::Matrix3Xd targets = handles.v;
+  for (auto q : targets.colwise()) {
+    if (q.x() > middle) q = Q * q + Eigen::Vector3d(0, 0, lift);
+  }
+  return targets;
+}
+
+/// x with normal noise of the given size on every entry.
+inline Unknowns perturbed(Unknowns x, double size, unsigned seed = 1) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  for (auto& entry : x.X.reshaped()) entry += size * normal(random);
+  return x;
+}
+
+}  // namespace deformlab::test
