@@ -60,16 +60,16 @@ StagedSteps::StagedSteps(const Triangulation& mesh, const Eigen::VectorXd& weigh
   mesh_ = {(mesh.V.colwise() - origin_) / unit_, mesh.F};
   components_ = components(mesh_);
   for (Solved* step : {&similarity_, &fitting_, &edges_}) step->solver = make_solver(solver);
-  similarity_.stage.x = edges_.stage.x = vertices(mesh_);
-  fitting_.stage.x = Fitting::rest(mesh_);
-  fitting_.stage.fixed.assign(fitting_.stage.x.nodes(), 0);
-  fitting_.stage.terms.push_back({energy(Fitting::over(mesh_, weights_)), 1});
-  fitting_.solver->compile(fitting_.stage);
+  similarity_.problem.x = edges_.problem.x = vertices(mesh_);
+  fitting_.problem.x = Fitting::rest(mesh_);
+  fitting_.problem.fixed.assign(fitting_.problem.x.nodes(), 0);
+  fitting_.problem.terms.push_back({energy(Fitting::over(mesh_, weights_)), 1});
+  fitting_.solver->compile(fitting_.problem);
   reset();
 }
 
 void StagedSteps::reset() {
-  similarity_.stage.x.X = edges_.stage.x.X = mesh_.V;
+  similarity_.problem.x.X = edges_.problem.x.X = mesh_.V;
   R_ = Eigen::VectorXcd::Ones(mesh_.F.cols());
   corners_ = mesh_.V(Eigen::all, mesh_.F.reshaped());
   V_ = to_lengths(mesh_.V);
@@ -130,18 +130,18 @@ void StagedSteps::hold(const std::vector<BarycentricPoint>& places, const Cluste
 void StagedSteps::put_terms() {
   const Hinges weak = hinges(mesh_, weights_);
   for (Solved* step : {&similarity_, &edges_}) {
-    step->stage.fixed = held_;
-    step->stage.terms.clear();
+    step->problem.fixed = held_;
+    step->problem.terms.clear();
     const double pull = kPull * weights_.maxCoeff();
-    step->stage.terms.push_back({energy(PointConstraint::over(mesh_, places_)), pull});
+    step->problem.terms.push_back({energy(PointConstraint::over(mesh_, places_)), pull});
   }
-  similarity_.stage.terms.push_back({energy(Similarity::over(mesh_, weights_)), 1});
+  similarity_.problem.terms.push_back({energy(Similarity::over(mesh_, weights_)), 1});
   if (weak.F.cols() > 0) {
     const Triangulation between{mesh_.V, weak.F};
-    similarity_.stage.terms.push_back({energy(Similarity::over(between, weak.weights)), 1});
+    similarity_.problem.terms.push_back({energy(Similarity::over(between, weak.weights)), 1});
   }
-  edges_.stage.terms.push_back({energy(EdgeFit::over(mesh_, weights_)), 1});
-  for (Solved* step : {&similarity_, &edges_}) step->solver->compile(step->stage);
+  edges_.problem.terms.push_back({energy(EdgeFit::over(mesh_, weights_)), 1});
+  for (Solved* step : {&similarity_, &edges_}) step->solver->compile(step->problem);
 }
 
 void StagedSteps::carry(const Eigen::Matrix2Xd& q) {
@@ -149,7 +149,7 @@ void StagedSteps::carry(const Eigen::Matrix2Xd& q) {
     Eigen::Vector2d by = Eigen::Vector2d::Zero();
     if (!places.empty()) by = q(Eigen::all, places).rowwise().mean() - at;
     for (const int v : vertices) {
-      similarity_.stage.x.X.col(v) = edges_.stage.x.X.col(v) = mesh_.V.col(v) + by;
+      similarity_.problem.x.X.col(v) = edges_.problem.x.X.col(v) = mesh_.V.col(v) + by;
     }
   }
 }
@@ -161,7 +161,7 @@ void StagedSteps::put_held(const Eigen::Matrix2Xd& q, Unknowns& x) const {
 }
 
 void StagedSteps::solve(Solved& step) {
-  Summary summary = step.solver->solve(step.stage);
+  Summary summary = step.solver->solve(step.problem);
   for (const auto& [term, cost] : summary.cost_by_term) summary_.cost_by_term[term] = cost;
   summary.cost_by_term = std::move(summary_.cost_by_term);
   summary.seconds = std::move(summary_.seconds);
@@ -174,14 +174,14 @@ void StagedSteps::solve(Solved& step) {
 
 // Shifts the targets of places by what they are missed by until that changes no more.
 void StagedSteps::solve_held(Solved& step, const Eigen::Matrix2Xd& q) {
-  put_held(q, step.stage.x);
+  put_held(q, step.problem.x);
   const Eigen::Matrix2Xd targets = q(Eigen::all, place_);
   Eigen::Matrix2Xd shift = Eigen::Matrix2Xd::Zero(2, targets.cols()), gap = shift;
   for (int i = 0; i < kMostShifts; ++i) {
-    step.stage.terms.front().energy->set_targets(targets + shift);
+    step.problem.terms.front().energy->set_targets(targets + shift);
     solve(step);
     const Eigen::Matrix2Xd last = std::exchange(gap, targets);
-    for (Eigen::Index l = 0; l < gap.cols(); ++l) gap.col(l) -= places_[l].at(step.stage.x.X);
+    for (Eigen::Index l = 0; l < gap.cols(); ++l) gap.col(l) -= places_[l].at(step.problem.x.X);
     if (gap.cols() == 0 || (gap - last).cwiseAbs().maxCoeff() <= kSettled) return;
     shift += gap;
   }
@@ -189,9 +189,9 @@ void StagedSteps::solve_held(Solved& step, const Eigen::Matrix2Xd& q) {
 
 // Eq. 9–11 and the scaling after them: only the direction of the fitted edge is needed.
 void StagedSteps::fit(const Eigen::MatrixXd& intermediate) {
-  fitting_.stage.terms.front().energy->set_targets(intermediate);
+  fitting_.problem.terms.front().energy->set_targets(intermediate);
   solve(fitting_);
-  const Eigen::MatrixXd& v = fitting_.stage.x.X;
+  const Eigen::MatrixXd& v = fitting_.problem.x.X;
   for (Eigen::Index f = 0; f < mesh_.F.cols(); ++f) {
     const Eigen::Matrix<double, 2, 3> p = mesh_.V(Eigen::all, mesh_.F.col(f));
     const std::complex<double> s =
@@ -218,17 +218,17 @@ void StagedSteps::update(const Eigen::Matrix2Xd& targets) {
   }
   {
     Stopwatch watch(seconds_.fit);
-    fit(similarity_.stage.x.X);
+    fit(similarity_.problem.x.X);
   }
   {
     Stopwatch watch(seconds_.step_two);
     for (int i = 0; i <= refinements_; ++i) {
-      if (i > 0) fit(edges_.stage.x.X);
-      edges_.stage.terms.back().energy->set_targets(corners_);
+      if (i > 0) fit(edges_.problem.x.X);
+      edges_.problem.terms.back().energy->set_targets(corners_);
       solve_held(edges_, q);
     }
   }
-  V_ = to_lengths(edges_.stage.x.X);
+  V_ = to_lengths(edges_.problem.x.X);
   summary_.seconds = {{"step_one", seconds_.step_one},
                       {"fit", seconds_.fit},
                       {"step_two", seconds_.step_two},

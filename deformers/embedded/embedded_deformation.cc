@@ -149,14 +149,14 @@ void EmbeddedDeformation::register_graph(BuiltGraph built) {
   seconds_ = std::move(built.seconds);
   unit_ = deformlab::length_unit(options_.length_unit, graph_);
   const int m = static_cast<int>(graph_.g.cols());
-  stage_.x = Unknowns::uniform(rest_unknowns(m), m);
-  stage_.fixed.assign(m, 0);
+  problem_.x = Unknowns::uniform(rest_unknowns(m), m);
+  problem_.fixed.assign(m, 0);
   deformed_ = rest_;
   compile({});
 }
 
 void EmbeddedDeformation::reset() {
-  stage_.x.X = rest_unknowns(stage_.x.nodes());
+  problem_.x.X = rest_unknowns(problem_.x.nodes());
   deformed_ = rest_;
 }
 
@@ -182,9 +182,9 @@ Eigen::MatrixXd EmbeddedDeformation::rest_unknowns(int m) const {
 
 Transformations EmbeddedDeformation::transformations() const {
   const int d = options_.dimension;
-  Transformations X = rest_transformations(stage_.x.nodes());
-  for (int j = 0; j < stage_.x.nodes(); ++j) {
-    const auto node = stage_.x.X.middleCols(stage_.x.first[j], stage_.x.columns(j));
+  Transformations X = rest_transformations(problem_.x.nodes());
+  for (int j = 0; j < problem_.x.nodes(); ++j) {
+    const auto node = problem_.x.X.middleCols(problem_.x.first[j], problem_.x.columns(j));
     if (is_rigid()) {
       for (int a = 0; a < 3; ++a) {
         X.col(4 * j + a) = turned<double>(node.col(0), Eigen::Vector3d::Unit(a));
@@ -204,9 +204,9 @@ void EmbeddedDeformation::begin_at(const Transformations& X) {
                      " nodes are none of a graph of " + std::to_string(graph_.g.cols()));
   }
   const int d = options_.dimension;
-  for (int j = 0; j < stage_.x.nodes(); ++j) {
-    if (stage_.fixed[j]) continue;
-    auto node = stage_.x.X.middleCols(stage_.x.first[j], stage_.x.columns(j));
+  for (int j = 0; j < problem_.x.nodes(); ++j) {
+    if (problem_.fixed[j]) continue;
+    auto node = problem_.x.X.middleCols(problem_.x.first[j], problem_.x.columns(j));
     node.rightCols<1>() = X.col(4 * j + 3).head(d) / unit_;
     if (is_rigid()) {
       const Eigen::AngleAxisd turn(nearest_rotation(X.middleCols<3>(4 * j)));
@@ -231,15 +231,15 @@ Eigen::Matrix3Xd EmbeddedDeformation::points(const Transformations& X) const {
 
 // Sumner et al. 2007, Eq. 9: R_q = I, t_q = 0 for every node that influences a fixed vertex.
 void EmbeddedDeformation::fix_nodes(const Handles& handles) {
-  std::fill(stage_.fixed.begin(), stage_.fixed.end(), 0);
+  std::fill(problem_.fixed.begin(), problem_.fixed.end(), 0);
   for (const int i : handles.fixed) {
     for (Eigen::Index a = 0; a < embedding_.nodes.rows(); ++a) {
-      if (embedding_.weights(a, i) > 0) stage_.fixed[embedding_.nodes(a, i)] = 1;
+      if (embedding_.weights(a, i) > 0) problem_.fixed[embedding_.nodes(a, i)] = 1;
     }
   }
-  for (int j = 0; j < stage_.x.nodes(); ++j) {
-    const int first = stage_.x.first[j], columns = stage_.x.columns(j);
-    if (stage_.fixed[j]) stage_.x.X.middleCols(first, columns) = rest_unknowns(1);
+  for (int j = 0; j < problem_.x.nodes(); ++j) {
+    const int first = problem_.x.first[j], columns = problem_.x.columns(j);
+    if (problem_.fixed[j]) problem_.x.X.middleCols(first, columns) = rest_unknowns(1);
   }
 }
 
@@ -253,10 +253,11 @@ void EmbeddedDeformation::compile(const Handles& handles) {
                     in_space_ ? embed(handles.points, graph_.g, options_.graph.neighbors)
                               : embed_at_vertices(handles.points, embedding_));
   fix_nodes(handles);
-  Pins holds = hold_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), stage_.fixed);
+  Pins holds =
+      hold_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), problem_.fixed);
   at_one_point_ = std::move(holds.at_one_point);
   compilation_notes_ = std::move(holds.notes);
-  if (const int immovable = count_immovable(handles_, stage_.fixed); immovable > 0) {
+  if (const int immovable = count_immovable(handles_, problem_.fixed); immovable > 0) {
     compilation_notes_.push_back(
         "handles that follow fixed nodes only and so cannot move: " + std::to_string(immovable) +
         "; fix fewer vertices or use more nodes");
@@ -264,7 +265,7 @@ void EmbeddedDeformation::compile(const Handles& handles) {
 
   const DeformationGraph graph = scaled(graph_, 1 / unit_);
   const Embedding embedded = scaled(handles_, 1 / unit_);
-  stage_.terms.clear();
+  problem_.terms.clear();
   for (const EnergyInfo& info : is_rigid() ? known_rigid_energies() : known_energies()) {
     const auto named = options_.energies.find(info.name);
     const double weight = named != options_.energies.end() ? named->second : info.default_weight;
@@ -272,12 +273,12 @@ void EmbeddedDeformation::compile(const Handles& handles) {
     auto energy = is_rigid() ? make_rigid_energy(info.name, graph, embedded)
                              : make_energy(info.name, graph, embedded, options_.dimension);
     const auto robust = options_.losses.find(info.name);
-    stage_.terms.push_back({std::move(energy), weight,
-                            robust == options_.losses.end()
-                                ? nullptr
-                                : make_loss(robust->second, "losses." + info.name)});
+    problem_.terms.push_back({std::move(energy), weight,
+                              robust == options_.losses.end()
+                                  ? nullptr
+                                  : make_loss(robust->second, "losses." + info.name)});
   }
-  solver_->compile(stage_);
+  solver_->compile(problem_);
 }
 
 // A part held at one point may turn about it at no cost. It starts where its handle takes it
@@ -289,7 +290,7 @@ void EmbeddedDeformation::carry_along(const Eigen::Matrix3Xd& targets) {
   for (const PointPin& part : at_one_point_) {
     const Eigen::Matrix3Xd motion = (targets - reached)(Eigen::all, part.handles);
     const Eigen::Vector3d t = motion.rowwise().mean() / unit_;
-    for (const int j : part.nodes) stage_.x.X.col(stage_.x.first[j + 1] - 1) += t.head(d);
+    for (const int j : part.nodes) problem_.x.X.col(problem_.x.first[j + 1] - 1) += t.head(d);
   }
 }
 
@@ -306,11 +307,11 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   check_targets(targets, handles_.v.cols());
   Report report;
   const Eigen::MatrixXd aims = targets.topRows(options_.dimension) / unit_;
-  for (const auto& term : stage_.terms) term.energy->set_targets(aims);
+  for (const auto& term : problem_.terms) term.energy->set_targets(aims);
   carry_along(targets);
-  report.solve = solver_->solve(stage_);
+  report.solve = solver_->solve(problem_);
   if (options_.reflections == "repair" && !is_rigid()) {
-    repair_reflections(stage_, graph_, handles_, *solver_, options_.solver, report);
+    repair_reflections(problem_, graph_, handles_, *solver_, options_.solver, report);
   }
   const Transformations X = transformations();
   {

@@ -91,7 +91,7 @@ class EmbeddedDeformation final : public Deformer {
   Transformations transformations() const;  ///< 3×4m, t_j [length]
   /// Where the transformations X (3×4m) take the handles that need be no vertices, 3×p [length].
   Eigen::Matrix3Xd points(const Transformations& X) const;
-  const Problem& problem() const { return stage_; }  ///< d×(d+1)m or 3×2m, in length_unit()s
+  const Problem& problem() const { return problem_; }  ///< d×(d+1)m or 3×2m, in length_unit()s
   double length_unit() const { return unit_; }
 
  private:
@@ -112,7 +112,7 @@ class EmbeddedDeformation final : public Deformer {
   std::vector<int> node_vertices_;
   bool in_space_ = true;  // any place can be embedded by itself
   double unit_ = 1;
-  Problem stage_;
+  Problem problem_;
   std::vector<PointPin> at_one_point_;
   std::unique_ptr<Solver> solver_;
   std::map<std::string, double> seconds_;

@@ -112,16 +112,16 @@ struct Guarded {
 // A term of the problem for as long as this lives.
 class AddedTerm {
  public:
-  AddedTerm(Problem& problem, std::unique_ptr<Energy> energy) : stage_(problem) {
+  AddedTerm(Problem& problem, std::unique_ptr<Energy> energy) : problem_(problem) {
     problem.terms.push_back({std::move(energy)});
   }
-  ~AddedTerm() { stage_.terms.pop_back(); }
+  ~AddedTerm() { problem_.terms.pop_back(); }
   AddedTerm(const AddedTerm&) = delete;
   AddedTerm& operator=(const AddedTerm&) = delete;
-  void weigh(double weight) { stage_.terms.back().weight = weight; }
+  void weigh(double weight) { problem_.terms.back().weight = weight; }
 
  private:
-  Problem& stage_;
+  Problem& problem_;
 };
 
 Guarded solve_guarded(Problem& problem, std::unique_ptr<Energy> orientation,

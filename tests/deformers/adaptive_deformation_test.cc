@@ -83,7 +83,7 @@ TEST(AdaptiveDeformation, AFinerGraphBeginsWhereTheCoarseOneEnded) {
     before.compile(scene.handles);
     before.update(scene.targets);
     const std::vector<int> added =
-        worst_vertices(before.embedding(), before.graph().g, node_costs(before.stage()), 15);
+        worst_vertices(before.embedding(), before.graph().g, node_costs(before.problem()), 15);
     ASSERT_EQ(added.size(), 15u);
     Eigen::Matrix3Xd g(3, 45);
     g << before.graph().g, scene.shape.V(Eigen::all, added);
@@ -106,9 +106,9 @@ TEST(AdaptiveDeformation, AFinerGraphBeginsWhereTheCoarseOneEnded) {
 
 TEST(AdaptiveDeformation, CostsOfNodesAddUpToF) {
   const EmbeddedDeformation deformer = coarse(Scene());
-  const Eigen::VectorXd costs = node_costs(deformer.stage());
+  const Eigen::VectorXd costs = node_costs(deformer.problem());
   EXPECT_GT(costs.minCoeff(), 0);
-  const double F = cost(deformer.stage(), deformer.stage().x);
+  const double F = cost(deformer.problem(), deformer.problem().x);
   EXPECT_NEAR(costs.sum(), F, 1e-12 * F);
 }
 

@@ -8,30 +8,30 @@ constexpr double kTight = 1e-12;
 
 class Ladder : public ::testing::TestWithParam<int> {
  protected:
-  Problem stage_ = twisted_plate(GetParam());
+  Problem problem_ = twisted_plate(GetParam());
 };
 
 TEST_P(Ladder, Rung1ResidualsAndDerivativesAgree) {
-  expect_same_system(stage_, perturbed(stage_.x, 0.3));
+  expect_same_system(problem_, perturbed(problem_.x, 0.3));
 }
 
 TEST_P(Ladder, Rung1AgreesWithNodesFixed) {
-  for (int j = 0; j < stage_.x.nodes(); j += 3) stage_.fixed[j] = 1;
-  expect_same_system(stage_, perturbed(stage_.x, 0.3, 2));
+  for (int j = 0; j < problem_.x.nodes(); j += 3) problem_.fixed[j] = 1;
+  expect_same_system(problem_, perturbed(problem_.x, 0.3, 2));
 }
 
 TEST_P(Ladder, Rung3LevenbergMarquardtAgreesWithCeres) {
-  expect_same_minimum(stage_, gauss_newton("cholmod", "levenberg", kTight),
+  expect_same_minimum(problem_, gauss_newton("cholmod", "levenberg", kTight),
                       ceres_with("auto", kTight));
 }
 
 TEST_P(Ladder, Rung3CholmodAgreesWithEigen) {
-  expect_same_minimum(stage_, gauss_newton("cholmod", "line_search", kTight),
+  expect_same_minimum(problem_, gauss_newton("cholmod", "line_search", kTight),
                       gauss_newton("eigen_ldlt", "line_search", kTight));
 }
 
 TEST_P(Ladder, Rung3ConjugateGradientsAgreeWithCholmod) {
-  expect_same_minimum(stage_, gauss_newton("cholmod", "line_search", kTight),
+  expect_same_minimum(problem_, gauss_newton("cholmod", "line_search", kTight),
                       gauss_newton("kronecker_cg", "line_search", kTight));
 }
 

@@ -24,18 +24,18 @@ Problem rigid_plate(int m) {
 
 class RigidLadder : public ::testing::TestWithParam<int> {
  protected:
-  Problem stage_ = rigid_plate(GetParam());
+  Problem problem_ = rigid_plate(GetParam());
 };
 
 TEST_P(RigidLadder, Rung1ResidualsAndDerivativesAgree) {
-  expect_same_system(stage_, perturbed(stage_.x, 0.3));
-  for (int j = 0; j < stage_.x.nodes(); j += 3) stage_.fixed[j] = 1;
-  expect_same_system(stage_, perturbed(stage_.x, 0.3, 2));
+  expect_same_system(problem_, perturbed(problem_.x, 0.3));
+  for (int j = 0; j < problem_.x.nodes(); j += 3) problem_.fixed[j] = 1;
+  expect_same_system(problem_, perturbed(problem_.x, 0.3, 2));
 }
 
 TEST_P(RigidLadder, Rung2TheDenseStepIsTaken) {
-  const Unknowns x = perturbed(stage_.x, 0.1);
-  for (const char* name : {"cholmod", "eigen_ldlt"}) expect_dense_step(stage_, x, name);
+  const Unknowns x = perturbed(problem_.x, 0.1);
+  for (const char* name : {"cholmod", "eigen_ldlt"}) expect_dense_step(problem_, x, name);
 }
 
 TEST_P(RigidLadder, Rung3GaussNewtonAgreesWithCeres) {

@@ -151,7 +151,7 @@ struct Rail {  // r = (n · a)² − 1: a vertex is on one of two lines
 class Chain : public ::testing::Test {
  protected:
   static constexpr int n = 1000;
-  Problem stage_{Unknowns::uniform(Eigen::Matrix2Xd::Zero(2, n), n), std::vector<char>(n, 0), {}};
+  Problem problem_{Unknowns::uniform(Eigen::Matrix2Xd::Zero(2, n), n), std::vector<char>(n, 0), {}};
   Eigen::Matrix2Xd on_rails_{2, n};
 
   Chain() {
@@ -164,15 +164,15 @@ class Chain : public ::testing::Test {
       on_rails_.col(j) = across + std::sin(0.01 * j) * along;
       rails.add({across}, {j});
     }
-    stage_.fixed.front() = stage_.fixed.back() = 1;
-    stage_.terms.push_back({std::make_unique<TermEnergy<Link>>(std::move(links)), 1});
-    stage_.terms.push_back({std::make_unique<TermEnergy<Rail>>(std::move(rails)), 1e8});
+    problem_.fixed.front() = problem_.fixed.back() = 1;
+    problem_.terms.push_back({std::make_unique<TermEnergy<Link>>(std::move(links)), 1});
+    problem_.terms.push_back({std::make_unique<TermEnergy<Rail>>(std::move(rails)), 1e8});
   }
 };
 
 TEST_F(Chain, IsFactoredWhereItsConditionIsSeenAtOnce) {
-  stage_.x.X = on_rails_;
-  const Summary s = solve(stage_, gauss_newton("auto", "accelerated"));
+  problem_.x.X = on_rails_;
+  const Summary s = solve(problem_, gauss_newton("auto", "accelerated"));
   EXPECT_EQ(s.status, Status::kConverged) << s.message;
   EXPECT_EQ(s.linear_solver, "cholmod");
   EXPECT_THAT(s.choice, HasSubstr("condition"));
@@ -182,9 +182,9 @@ TEST_F(Chain, IsFactoredWhereItsConditionIsSeenAtOnce) {
 // Where all is 0 the rails have no derivative.
 TEST_F(Chain, IsFactoredInTheEndWhereItsConditionIsSeenLate) {
   const auto solver = make_solver(gauss_newton("auto", "accelerated"));
-  solver->compile(stage_);
-  stage_.x.X = on_rails_;
-  const Summary s = solver->solve(stage_);
+  solver->compile(problem_);
+  problem_.x.X = on_rails_;
+  const Summary s = solver->solve(problem_);
   EXPECT_EQ(s.status, Status::kConverged) << s.message;
   EXPECT_EQ(s.linear_solver, "cholmod");
   EXPECT_THAT(s.choice, HasSubstr("did not converge"));
