@@ -50,7 +50,7 @@ Metrics plane_distortion(const Triangulation& rest, const Eigen::Matrix2Xd& V) {
   Metrics m = distortion(to_shape(rest), deformed_shape(rest, V));
   m["area_ratio"] = area / area_rest;
   m["flipped"] = flipped;
-  m["cgal_arap"] = residual / edges;
+  m["arap"] = residual / edges;
   return m;
 }
 
