@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "experiments/commands/results.h"
 #include "geometry/core/files.h"
@@ -20,7 +23,7 @@ std::string contents(const fs::path& path) {
 }
 
 std::string claim_line(const Json& claim) {
-  char measured[32] = "no number";  // JSON has neither NaN nor infinity
+  char measured[32] = "no number";  // JSON cannot hold NaN and infinity
   if (claim.at("measured").is_number()) {
     std::snprintf(measured, sizeof measured, "%.4g", claim.at("measured").get<double>());
   }
@@ -29,6 +32,23 @@ std::string claim_line(const Json& claim) {
                      claim.value("expected", "") + " | ";
   line += claim.value("holds", false) ? "ok" : "**falls short**";
   return line + (known.empty() ? "" : ": " + known) + " |\n";
+}
+
+// How large each run is. A config sets these numbers, so they are shown and not claimed.
+std::string sizes_line(const Json& runs) {
+  std::string text;
+  for (const char* name : {"vertices", "nodes", "handles"}) {
+    std::vector<std::string> values;
+    for (const Json& run : runs) {
+      const double value = run.at("metrics").value(name, -1.0);
+      if (value >= 0) values.push_back(fmt::format("{:.0f}", value));
+    }
+    const bool same = std::set<std::string>(values.begin(), values.end()).size() == 1;
+    if (same) values.resize(1);
+    if (values.empty()) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "Sizes: " : "; ", name, fmt::join(values, ", "));
+  }
+  return text.empty() ? "" : text + ".\n\n";
 }
 
 // A link for each picture of an image sequence.
@@ -53,8 +73,9 @@ std::string section(const fs::path& folder) {
   const std::string paper = metrics.value("paper", "");
   if (!paper.empty()) text += "> " + paper + "\n\n";
   text += "![" + name + "](" + name + "/picture.png)\n\n" + sequence_line(folder);
+  text += sizes_line(metrics.value("runs", Json::array()));
   if (metrics.contains("claims") && !metrics["claims"].empty()) {
-    text += "| claim | it says | measured | expected | |\n|---|---|---|---|---|\n";
+    text += "| claim | what it says | measured | expected | result |\n|---|---|---|---|---|\n";
     for (const Json& claim : metrics["claims"]) text += claim_line(claim);
     text += "\n";
   }
@@ -62,7 +83,7 @@ std::string section(const fs::path& folder) {
   return text + "`./deformlab run configs/" + name + ".yaml`\n\n";
 }
 
-// A folder of somebody else's is no part of the gallery.
+// A folder whose metrics.json is not ours is left out.
 std::string section_or_nothing(const fs::path& folder) {
   try {
     return section(folder);
@@ -81,12 +102,12 @@ void write_gallery(const fs::path& results) {
     if (!hidden && fs::exists(entry.path() / "metrics.json", ignored)) folders.insert(entry.path());
   }
   std::string text =
-      "# Results\n\nMade by `./deformlab run configs/*.yaml`, which rewrites this page. Beside "
-      "each "
-      "picture lie the config with every default (config.yaml), all measurements (metrics.json), "
-      "the solves step by step (trace*.csv), an animation's pictures one by one (frames/), and "
-      "what depends on the machine: times.json and "
-      "environment.json.\n\n";
+      "# Results\n\n`./deformlab run configs/*.yaml` makes all results and writes this page. The "
+      "folder "
+      "of each picture also holds the config with every default (config.yaml), all measurements "
+      "(metrics.json), the steps of the solves (trace*.csv), the pictures of an animation "
+      "(frames/), "
+      "and what depends on the machine (times.json and environment.json).\n\n";
   for (const fs::path& folder : folders) text += section_or_nothing(folder);
   text.pop_back();
   write_file(results / "README.md", text);
