@@ -10,8 +10,8 @@
 #include "drawing/vector/read_svg.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
+#include "geometry/core/text.h"
 #include "geometry/shape/shape_io.h"
-#include "geometry/shape/shape_text.h"
 
 namespace deformlab {
 namespace {
@@ -147,12 +147,11 @@ VectorPath outlined(Curve curve, const Page& page) {
 Drawing read_polygon(const fs::path& path, const DrawingOptions& options) {
   const std::string bytes = read_file(path);
   std::vector<double> coordinates;
-  for (formats::Lines lines(bytes); lines.next();) {
+  for (Lines lines(bytes); lines.next();) {
     const auto& words = lines.tokens();
-    const auto x = formats::to_number(words.front().text),
-               y = formats::to_number(words.back().text);
+    const auto x = to_number(words.front().text), y = to_number(words.back().text);
     if (words.size() != 2 || !x || !y)
-      cannot_read(path, lines.number() + " must be the two coordinates of a corner, 'x y'");
+      cannot_read(path, lines.name() + " must be the two coordinates of a corner, 'x y'");
     coordinates.insert(coordinates.end(), {*x, *y});
   }
   const Eigen::Matrix2Xd corners =

@@ -2,12 +2,12 @@
 
 #include <unistd.h>
 
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include "geometry/core/error.h"
+#include "geometry/core/text.h"
 
 namespace deformlab {
 namespace {
@@ -42,11 +42,7 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
-std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
+std::string extension_of(const fs::path& path) { return lower_case(path.extension().string()); }
 
 AtomicFile::AtomicFile(fs::path out) : out_(std::move(out)) {
   std::error_code error;

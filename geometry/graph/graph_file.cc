@@ -1,24 +1,23 @@
 #include "geometry/graph/graph_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "geometry/core/error.h"
-#include "geometry/shape/shape_text.h"
+#include "geometry/core/files.h"
+#include "geometry/core/text.h"
 
 namespace deformlab {
 namespace {
-
-using formats::Lines;
-using formats::quoted;
-using formats::reject;
-using formats::Token;
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -41,10 +40,10 @@ class Reader {
       if (keyword == "v") node(lines);
       if (keyword == "l") polyline(lines);
       if (keyword == "f") {
-        reject(name_, lines.number() + ": a face is no edge of a graph; join nodes by l lines");
+        cannot_read(name_, lines.name() + ": a face is no edge of a graph; join nodes by l lines");
       }
     }
-    if (nodes_.empty()) reject(name_, "it has no node, which is a line 'v x y z'");
+    if (nodes_.empty()) cannot_read(name_, "it has no node, which is a line 'v x y z'");
     return graph();
   }
 
@@ -61,50 +60,56 @@ class Reader {
 
   void node(const Lines& lines) {
     const std::span<const Token> words(lines.tokens());
-    const std::string owner = called(nodes_.size() + 1) + " (" + lines.number() + ")";
-    if (words.size() < 4) reject(name_, owner + " has fewer than 3 coordinates");
-    std::vector<formats::Number> numbers;
-    formats::append(numbers, words.subspan(1, 3), name_, owner);
+    const std::string owner = called(nodes_.size() + 1) + " (" + lines.name() + ")";
+    if (words.size() < 4) cannot_read(name_, owner + " has fewer than 3 coordinates");
     Node& node = nodes_.emplace_back();
-    for (int row = 0; row < 3; ++row) {
-      node.g[row] = formats::value_at(bytes_, numbers[row], formats::Encoding::kText) + 0.0;
-    }
+    for (int row = 0; row < 3; ++row) node.g[row] = coordinate(words[row + 1], owner) + 0.0;
     check_distance(node.g, owner);
-    node.line = lines.number();
+    node.line = lines.name();
     const auto [first, is_new] =
         places_.try_emplace({node.g.x(), node.g.y(), node.g.z()}, nodes_.size());
     if (is_new) return;
-    reject(name_, owner + " is repeated: " + called(first->second) + " (" +
-                      nodes_[first->second - 1].line + ") is at the same place; leave one out");
+    cannot_read(name_, owner + " is repeated: " + called(first->second) + " (" +
+                           nodes_[first->second - 1].line +
+                           ") is at the same place; leave one out");
+  }
+
+  double coordinate(const Token& word, const std::string& owner) const {
+    const std::optional<double> value = to_number(word.text);
+    if (!value) cannot_read(name_, owner + ": " + quoted_ascii(word.text) + " is not a number");
+    if (!std::isfinite(*value)) {
+      cannot_read(name_, owner + ": " + quoted_ascii(word.text) + " is not finite");
+    }
+    return *value;
   }
 
   void check_distance(const Eigen::Vector3d& g, const std::string& owner) const {
     if (g.cwiseAbs().maxCoeff() <= kMostLength) return;
     std::ostringstream what;
     what << owner << " is at (" << g.transpose() << "); coordinates may be up to " << kMostLength;
-    reject(name_, what.str());
+    cannot_read(name_, what.str());
   }
 
   void polyline(const Lines& lines) {
     const std::span<const Token> words(lines.tokens());
-    if (words.size() < 3) reject(name_, lines.number() + ": an edge joins two nodes or more");
+    if (words.size() < 3) cannot_read(name_, lines.name() + ": an edge joins two nodes or more");
     for (std::size_t w = 2; w < words.size(); ++w) {
-      ends_.push_back({index(words[w - 1], lines), index(words[w], lines), lines.number()});
+      ends_.push_back({index(words[w - 1], lines), index(words[w], lines), lines.name()});
     }
   }
 
   // Counted from 1; whether there is such a node shows at the end of the file.
   std::int64_t index(const Token& word, const Lines& lines) const {
-    const auto value = formats::to_integer(word.text.substr(0, word.text.find('/')));
+    const auto value = to_integer(word.text.substr(0, word.text.find('/')));
     constexpr std::int64_t kMost = std::numeric_limits<int>::max();
     if (!value || *value == 0 || *value > kMost || *value < -kMost) {
-      reject(name_, lines.number() + ": " + quoted(word.text) +
-                        " is not a node; they count from 1, or from -1 backwards");
+      cannot_read(name_, lines.name() + ": " + quoted_ascii(word.text) +
+                             " is not a node; they count from 1, or from -1 backwards");
     }
     if (-*value > std::ssize(nodes_)) {
-      reject(name_, lines.number() + ": an edge to " + quoted(word.text) +
-                        " leads nowhere: so far there are " + std::to_string(nodes_.size()) +
-                        " nodes");
+      cannot_read(name_, lines.name() + ": an edge to " + quoted_ascii(word.text) +
+                             " leads nowhere: so far there are " + std::to_string(nodes_.size()) +
+                             " nodes");
     }
     return *value > 0 ? *value : std::ssize(nodes_) + 1 + *value;
   }
@@ -114,12 +119,13 @@ class Reader {
   void check(const Ends& e) const {
     for (const std::int64_t end : {e.from, e.to}) {
       if (end >= 1 && end <= std::ssize(nodes_)) continue;
-      reject(name_, e.line + ": the edge from node " + std::to_string(e.from) + " to node " +
-                        std::to_string(e.to) + " leads nowhere: there are " +
-                        std::to_string(nodes_.size()) + " nodes, counted from 1");
+      cannot_read(name_, e.line + ": the edge from node " + std::to_string(e.from) + " to node " +
+                             std::to_string(e.to) + " leads nowhere: there are " +
+                             std::to_string(nodes_.size()) + " nodes, counted from 1");
     }
     if (e.from == e.to) {
-      reject(name_, e.line + ": the edge joins " + called(e.from) + " to itself; leave it out");
+      cannot_read(name_,
+                  e.line + ": the edge joins " + called(e.from) + " to itself; leave it out");
     }
   }
 
@@ -130,16 +136,17 @@ class Reader {
       const auto [lo, hi] = std::minmax({static_cast<int>(e.from), static_cast<int>(e.to)});
       const auto [first, is_new] = edges.try_emplace({lo - 1, hi - 1}, e.line);
       if (!is_new) {
-        reject(name_, e.line + ": the edge between " + called(lo) + " and " + called(hi) +
-                          " is repeated: " + first->second + " has it; leave one out");
+        cannot_read(name_, e.line + ": the edge between " + called(lo) + " and " + called(hi) +
+                               " is repeated: " + first->second + " has it; leave one out");
       }
       nodes_[lo - 1].joined = nodes_[hi - 1].joined = true;
     }
     DeformationGraph result{Eigen::Matrix3Xd(3, std::ssize(nodes_)), {}};
     for (std::size_t j = 0; j < nodes_.size(); ++j) {
       if (!nodes_[j].joined && nodes_.size() > 1) {
-        reject(name_, called(j + 1) + " (" + nodes_[j].line +
-                          ") is isolated: no edge has it; join it to another, or leave it out");
+        cannot_read(name_,
+                    called(j + 1) + " (" + nodes_[j].line +
+                        ") is isolated: no edge has it; join it to another, or leave it out");
       }
       result.g.col(static_cast<Eigen::Index>(j)) = nodes_[j].g;
     }

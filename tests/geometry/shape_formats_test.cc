@@ -1,10 +1,10 @@
-#include "geometry/shape/shape_formats.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
+#include "geometry/shape/formats/format.h"
 #include "tests/geometry/shape_files.h"
 
 namespace deformlab {
@@ -187,6 +187,17 @@ TEST(Ply, NotANumberInABinaryFileNamesTheVertex) {
   EXPECT_THAT(reading("a.ply", bytes), HasSubstr("vertex 1"));
 }
 
+TEST(Ply, TextNumbersHaveThePrecisionThatTheFileDeclares) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty double y\n"
+      "property float z\nend_header\n0.10 0.10 1e-46\n";
+  const auto source = put("a.ply", text);
+  const Shape shape = read_shape(source);
+  EXPECT_EQ(shape.V.col(0), Eigen::Vector3d(0.1F, 0.1, 0));
+  write_shape(place("b.ply"), shape, source);
+  EXPECT_EQ(get(place("b.ply")), text);
+}
+
 TEST(Ply, RejectsWhatItsPrecisionCannotHold) {
   const auto source = put("a.ply",
                           "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
@@ -212,6 +223,14 @@ TEST(Stl, EqualCornersBecomeOneVertexInOrderOfAppearance) {
   const Shape back = read_shape(place("binary.stl"));
   EXPECT_EQ(back.V, shape.V);
   EXPECT_EQ(back.faces, shape.faces);
+}
+
+TEST(Stl, ZeroOfEitherSignIsOneCoordinate) {
+  const Shape shape = read_shape(put("a.stl",
+                                     "solid a\nfacet normal 0 0 1\nvertex 0 -0 0\nvertex 1 0 0\n"
+                                     "vertex -0 0 -0\nendfacet\nendsolid a\n"));
+  EXPECT_EQ(shape.faces, (std::vector<std::vector<int>>{{0, 1, 0}}));
+  EXPECT_TRUE(std::signbit(shape.V(1, 0)));
 }
 
 TEST(Stl, KeepsNamesHeaderAndAttributes) {

@@ -3,21 +3,26 @@
 #include <cstdint>
 #include <optional>
 
-#include "geometry/shape/shape_formats.h"
+#include "geometry/shape/formats/format.h"
 
 namespace deformlab::formats {
 
-/// How a PLY file holds a number.
+/// How a PLY file states a number.
 struct PlyType {
   enum class Kind { kSigned, kUnsigned, kReal } kind = Kind::kReal;
   std::size_t size = 0;  ///< in bytes, where the file is binary
 };
 
 struct PlyProperty {
-  std::string name, type_name;
+  std::string name;
   PlyType type;
-  std::optional<PlyType> count_type;  ///< of a list
-  Span line;                          ///< in the header
+  std::optional<PlyType> count_type;  ///< of the length of a list; nothing where it is no list
+  ByteRange line;                     ///< in the header
+
+  /// Whether it is the list of a face's vertices.
+  bool has_corners() const {
+    return count_type && (name == "vertex_indices" || name == "vertex_index");
+  }
 };
 
 struct PlyElement {
@@ -30,14 +35,14 @@ struct PlyElement {
 };
 
 struct PlyHeader {
-  std::string format;  ///< as the file names it
   Encoding encoding = Encoding::kText;
   std::vector<PlyElement> elements;
   std::size_t end = 0;  ///< where the body begins
 };
 
-/// Throws InputError where a header is incomplete, has unknown types, or lacks what a shape needs:
-/// vertices with x, y, z as float or double, and faces, if any, with a list of their vertices.
+/// Throws InputError where the header is incomplete, has unknown types, or lacks what a shape
+/// needs: vertices with x, y, z as float or double, and for faces, if there are any, a list of
+/// their vertices.
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 
 }  // namespace deformlab::formats

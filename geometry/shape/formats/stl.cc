@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <unordered_map>
+
+#include "geometry/core/error.h"
+#include "geometry/core/files.h"
+#include "geometry/shape/formats/numbers.h"
+
+namespace deformlab::formats {
+namespace {
+
+// A binary file has a header, the number of facets (four bytes), and for each facet twelve float32
+// (its normal and three corners) and two bytes of attributes.
+constexpr std::size_t kHeaderSize = 80, kBodyAt = 84, kFacetSize = 50, kAttributeSize = 2;
+
+std::size_t facet_count(std::string_view bytes) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    count |= static_cast<std::size_t>(static_cast<unsigned char>(bytes[kHeaderSize + i])) << 8 * i;
+  }
+  return count;
+}
+
+Layout read_binary(std::string_view bytes, const std::string& name) {
+  Layout layout;
+  layout.encoding = Encoding::kLittleEndian;
+  const std::size_t facets = facet_count(bytes);
+  if (kBodyAt + kFacetSize * facets > bytes.size()) {
+    cannot_read(name,
+                fmt::format("it is neither text nor whole: as binary STL it announces {} facets, "
+                            "which take {} bytes; it has {}",
+                            facets, kBodyAt + kFacetSize * facets, bytes.size()));
+  }
+  for (std::size_t facet = 0; facet < facets; ++facet) {
+    for (std::size_t i = 0; i < 12; ++i) {
+      const std::size_t at = kBodyAt + kFacetSize * facet + sizeof(float) * i;
+      const double value = binary_number(bytes.substr(at, sizeof(float)), layout.encoding);
+      if (i >= 3 && !std::isfinite(value)) {
+        cannot_read(name, fmt::format("corner {} of facet {} (counted from 0) is NaN or infinite",
+                                      i / 3 - 1, facet));
+      }
+      Numbers& to = i < 3 ? layout.normals : layout.positions;
+      to.values.push_back(value);
+      to.sources.push_back({{at, sizeof(float)}, true});
+    }
+  }
+  return layout;
+}
+
+class TextReader {
+ public:
+  TextReader(std::string_view bytes, const std::string& name) : lines_(bytes), name_(name) {}
+
+  Layout run() {
+    while (lines_.next()) read_line();
+    if (keyword_ != "endsolid") {
+      cannot_read(name_, "it does not end with endsolid: a part of it is missing");
+    }
+    if (layout_.normals.values.size() != 3 * facets_) {
+      cannot_read(name_, "its last facet has no endfacet");
+    }
+    return std::move(layout_);
+  }
+
+ private:
+  void read_line() {
+    const std::span<const Token> words(lines_.tokens());
+    const Location where{name_, "facet", facets_, lines_.number()};
+    keyword_ = lower_case(words[0].text);
+    if (keyword_ == "facet") {
+      if (words.size() < 5) where.reject("it needs a normal of 3 numbers");
+      append_normal(words.subspan(2, 3), where);
+    } else if (keyword_ == "vertex") {
+      if (words.size() < 4) where.reject("a vertex needs 3 numbers");
+      append(layout_.positions, words.subspan(1, 3), where);
+    } else if (keyword_ == "endfacet") {
+      ++facets_;
+    }
+    check_order(where);
+  }
+
+  /// A normal may be NaN, because nobody reads it.
+  void append_normal(std::span<const Token> words, const Location& where) {
+    for (const Token& word : words) {
+      const std::optional<double> value = to_number(word.text);
+      if (!value) where.reject("its normal is not made of numbers");
+      layout_.normals.values.push_back(*value);
+      layout_.normals.sources.push_back({{word.at, word.text.size()}});
+    }
+  }
+
+  void check_order(const Location& where) const {
+    const bool ends = keyword_ == "endfacet", begins = keyword_ == "facet";
+    if ((ends && layout_.positions.values.size() != 9 * facets_) ||
+        (begins && layout_.normals.values.size() != 3 * facets_ + 3)) {
+      where.reject("a facet must have 3 vertices and an endfacet");
+    }
+  }
+
+  Lines lines_;
+  const std::string& name_;
+  Layout layout_;
+  std::string keyword_;     ///< of the line that was read last, in lower case
+  std::size_t facets_ = 0;  ///< that have ended
+};
+
+using Point = std::array<double, 3>;
+
+struct PointHash {
+  std::size_t operator()(const Point& p) const {
+    std::size_t result = 0;
+    for (const double x : p) result = result * 0x9E3779B97F4A7C15 + std::hash<double>()(x);
+    return result;
+  }
+};
+
+/// Makes one vertex of all corners with equal coordinates (0 and −0 are equal). The vertices are
+/// numbered in the order of their first corners.
+Shape merged(const std::vector<double>& coordinates) {
+  const std::size_t facets = coordinates.size() / 9;
+  Shape shape;
+  shape.faces.reserve(facets);
+  std::unordered_map<Point, int, PointHash> vertex_of;
+  vertex_of.reserve(facets / 2);  // a closed mesh has half as many vertices as triangles
+  std::vector<double> V;
+  const double* corner = coordinates.data();
+  for (std::size_t facet = 0; facet < facets; ++facet) {
+    std::vector<int>& face = shape.faces.emplace_back(3);
+    for (int& vertex : face) {
+      const auto [found, is_new] =
+          vertex_of.try_emplace({corner[0], corner[1], corner[2]}, static_cast<int>(V.size() / 3));
+      if (is_new) V.insert(V.end(), corner, corner + 3);
+      vertex = found->second;
+      corner += 3;
+    }
+  }
+  shape.V = Eigen::Matrix3Xd::Map(V.data(), 3, std::ssize(V) / 3);
+  return shape;
+}
+
+/// The triangles of a shape as STL states them.
+struct Facets {
+  Eigen::Matrix3Xd corners;  ///< 3×3#T
+  Eigen::Matrix3Xd normals;  ///< 3×#T, unit, or zero where the triangle has no area
+};
+
+Facets facets_of(const Shape& shape) {
+  const Eigen::Matrix3Xi T = triangles(shape);
+  Facets facets{Eigen::Matrix3Xd(3, T.size()), Eigen::Matrix3Xd(3, T.cols())};
+  for (Eigen::Index t = 0; t < T.cols(); ++t) {
+    for (int c = 0; c < 3; ++c) facets.corners.col(3 * t + c) = shape.V.col(T(c, t));
+    const Eigen::Vector3d a = facets.corners.col(3 * t);
+    facets.normals.col(t) =
+        (facets.corners.col(3 * t + 1) - a).cross(facets.corners.col(3 * t + 2) - a);
+    facets.normals.col(t).stableNormalize();
+  }
+  return facets;
+}
+
+}  // namespace
+
+ShapeFile read_stl(std::string_view bytes, const std::string& name) {
+  const std::size_t begin = find_blank(bytes, 0, false);
+  const bool says_solid = lower_case(bytes.substr(begin, 5)) == "solid";
+  const bool exact =
+      bytes.size() >= kBodyAt && bytes.size() == kBodyAt + kFacetSize * facet_count(bytes);
+  ShapeFile file;
+  if (says_solid && !exact) {
+    file.layout = TextReader(bytes, name).run();
+  } else {
+    if (bytes.size() < kBodyAt) cannot_read(name, "it is too short for an STL file");
+    file.layout = read_binary(bytes, name);
+  }
+  file.shape = merged(file.layout.positions.values);
+  return file;
+}
+
+std::string rewrite_stl(std::string_view bytes, const Layout& layout, const Shape& shape) {
+  const Facets facets = facets_of(shape);
+  const std::size_t before = layout.normals.values.size() / 3;
+  if (before != static_cast<std::size_t>(facets.normals.cols())) {
+    throw InputError(fmt::format(
+        "cannot write {} triangles in place of the {} facets of the source; write without it",
+        facets.normals.cols(), before));
+  }
+  return substitute(bytes, layout, facets.corners, facets.normals);
+}
+
+std::string print_stl(const Shape& shape) {
+  const Facets facets = facets_of(shape);
+  if (facets.normals.cols() == 0) {
+    throw InputError(
+        "cannot write as STL: it holds triangles only, and the shape has none; write .off, .obj, "
+        ".ply or .xyz instead");
+  }
+  const auto count = static_cast<std::size_t>(facets.normals.cols());
+  std::string bytes(kHeaderSize, '\0');
+  bytes.reserve(kBodyAt + kFacetSize * count);
+  append_uint32(bytes, count);
+  const auto append_point = [&](const auto& point) {
+    for (const double x : point) append_number(bytes, x, true, Encoding::kLittleEndian);
+  };
+  for (Eigen::Index t = 0; t < facets.normals.cols(); ++t) {
+    append_point(facets.normals.col(t));
+    for (int c = 0; c < 3; ++c) append_point(facets.corners.col(3 * t + c));
+    bytes.append(kAttributeSize, '\0');
+  }
+  return bytes;
+}
+
+}  // namespace deformlab::formats
