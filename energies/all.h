@@ -3,8 +3,6 @@
 #include "energies/graph/constraint.h"
 #include "energies/graph/orientation.h"
 #include "energies/graph/regularization.h"
-#include "energies/graph/rigid_constraint.h"
-#include "energies/graph/rigid_regularization.h"
 #include "energies/graph/rotation.h"
 #include "energies/graph/smoothness.h"
 #include "energies/triangle/edge_fit.h"
@@ -14,20 +12,19 @@
 
 namespace deformlab {
 
+/// Terms that are templates on the node model.
+template <template <class> class... Term>
+struct GraphTermList {};
+
+/// Terms that are plain structs.
 template <class... Term>
 struct TermList {};
 
-/// The terms over a deformation graph, in space (d = 3) and in the plane (d = 2). One that is named
-/// here has a weight in configs, both solvers, a column in results and every law test.
-template <int d>
-using GraphTerms =
-    TermList<Rotation<d>, Regularization<d>, Constraint<d>, Smoothness<d>, Orientation<d>>;
+/// The terms over a deformation graph. A term in this list has a weight in configs, both solvers, a
+/// column in results and every law test, for each node model that it is defined for.
+using GraphTerms = GraphTermList<Rotation, Regularization, Constraint, Smoothness, Orientation>;
 
-/// The same energy where nodes are rotations by construction (six unknowns): nothing is left of
-/// E_rot.
-using RigidTerms = TermList<RigidRegularization, RigidConstraint>;
-
-/// The terms over a triangulation of the plane, held to the same laws; arap_2d minimises them.
+/// The terms over a triangulation of the plane, which arap_2d minimises. The same laws are tested.
 using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PointConstraint>;
 
 }  // namespace deformlab

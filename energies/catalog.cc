@@ -1,84 +1,86 @@
 #include "energies/catalog.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "energies/all.h"
-#include "energies/term_energy.h"
+#include "energies/register_energy.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {
 
-template <class Term>
-double default_weight() {
-  if constexpr (requires { Term::kWeight; }) return Term::kWeight;
-  return 0;
-}
+struct Catalog {
+  std::vector<EnergyInfo> infos;
+  std::vector<CatalogEntry> entries;
 
-template <class Term>
-std::unique_ptr<Energy> make(const DeformationGraph& graph, const Embedding& handles) {
-  if constexpr (requires { Term::over(graph, handles); }) {
-    return std::make_unique<TermEnergy<Term>>(Term::over(graph, handles));
-  } else {
-    return std::make_unique<TermEnergy<Term>>(Term::over(graph));
+  void add(CatalogEntry entry) {
+    infos.push_back(entry.info);
+    entries.push_back(std::move(entry));
   }
-}
-
-struct Entry {
-  EnergyInfo info;
-  std::unique_ptr<Energy> (*make)(const DeformationGraph&, const Embedding&);
 };
 
-template <class... Term>
-std::vector<Entry> entries(TermList<Term...>) {
-  return {{{std::string(Term::kName), Term::kStructure, default_weight<Term>()}, &make<Term>}...};
+template <template <class> class... Term>
+Catalog built_in(GraphTermList<Term...>) {
+  Catalog catalog;
+  (catalog.add(catalog_entry<Term>()), ...);
+  return catalog;
 }
 
-template <int d>
-const std::vector<Entry>& catalog() {
-  static const std::vector<Entry> all = entries(GraphTerms<d>{});
+Catalog& catalog() {
+  static Catalog all = built_in(GraphTerms{});
   return all;
 }
 
-const std::vector<Entry>& rigid_catalog() {
-  static const std::vector<Entry> all = entries(RigidTerms{});
-  return all;
-}
-
-std::vector<EnergyInfo> infos_of(const std::vector<Entry>& all) {
-  std::vector<EnergyInfo> result;
-  for (const Entry& entry : all) result.push_back(entry.info);
-  return result;
-}
-
-std::unique_ptr<Energy> make_named(const std::vector<Entry>& all, std::string_view name,
-                                   const DeformationGraph& graph, const Embedding& handles) {
-  std::string known;
-  for (const Entry& entry : all) {
-    if (entry.info.name == name) return entry.make(graph, handles);
-    known += (known.empty() ? "" : ", ") + entry.info.name;
+const CatalogEntry& find(std::string_view name) {
+  std::vector<std::string> known;
+  for (const CatalogEntry& entry : catalog().entries) {
+    if (entry.info.name == name) return entry;
+    known.push_back(entry.info.name);
   }
-  throw InputError("unknown energy '" + std::string(name) + "'; known: " + known);
+  throw InputError(fmt::format("unknown energy '{}'; known: {}", name, fmt::join(known, ", ")));
 }
 
 }  // namespace
 
-const std::vector<EnergyInfo>& known_energies() {
-  static const std::vector<EnergyInfo> infos = infos_of(catalog<3>());
-  return infos;
+void add_to_catalog(CatalogEntry entry) {
+  for (const EnergyInfo& info : catalog().infos) {
+    if (info.name != entry.info.name) continue;
+    throw InputError(fmt::format(
+        "the term '{}' is registered already; give the new one another kName", info.name));
+  }
+  catalog().add(std::move(entry));
 }
 
-const std::vector<EnergyInfo>& known_rigid_energies() {
-  static const std::vector<EnergyInfo> infos = infos_of(rigid_catalog());
-  return infos;
+const std::vector<EnergyInfo>& known_energies() { return catalog().infos; }
+
+const EnergyInfo& energy_info(std::string_view name) { return find(name).info; }
+
+std::unique_ptr<Energy> make_energy(std::string_view name, const GraphContext& context,
+                                    const OptionValues& options) {
+  const CatalogEntry& entry = find(name);
+  check_option_names(entry.info.name, entry.info.options, options);
+  const bool rigid = context.model == NodeModel::kRigid;
+  const MakeEnergy make = rigid                    ? entry.rigid
+                          : context.dimension == 2 ? entry.in_plane
+                                                   : entry.in_space;
+  if (make) return make(context, options);
+  throw InputError(fmt::format(
+      "the term '{}' is not defined for {}: its call operator reads columns that they do not have",
+      name, rigid ? "rigid nodes" : fmt::format("nodes in {} dimensions", context.dimension)));
 }
 
-std::unique_ptr<Energy> make_rigid_energy(std::string_view name, const DeformationGraph& graph,
-                                          const Embedding& handles) {
-  return make_named(rigid_catalog(), name, graph, handles);
-}
-
-std::unique_ptr<Energy> make_energy(std::string_view name, const DeformationGraph& graph,
-                                    const Embedding& handles, int d) {
-  return make_named(d == 2 ? catalog<2>() : catalog<3>(), name, graph, handles);
+void check_settings(const std::map<std::string, TermSettings>& energies) {
+  for (const auto& [name, settings] : energies) {
+    check_option_names(name, energy_info(name).options, settings.options);
+    const double weight = settings.weight.value_or(0);
+    if (weight >= 0 && std::isfinite(weight)) continue;
+    throw InputError(
+        fmt::format("energies.{} is {}; a weight is a number of 0 or more", name, weight));
+  }
 }
 
 }  // namespace deformlab

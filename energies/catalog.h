@@ -1,35 +1,53 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "energies/energy.h"
-#include "geometry/graph/deformation_graph.h"
+#include "energies/graph/context.h"
+#include "energies/term_options.h"
 
 namespace deformlab {
 
-/// A registered energy term (energies/all.h), as configs and error messages know it.
+/// A term over a deformation graph, as configs and error messages know it.
 struct EnergyInfo {
   std::string name;
-  Structure structure;
-  double default_weight;  ///< where a config does not name it
+  Structure structure;    ///< for affine nodes
+  double default_weight;  ///< if a config does not name the term
+  bool for_rigid_nodes;   ///< false if the term reads R_j as a matrix of unknowns
+  std::vector<OptionInfo> options;
 };
 
-/// Every registered term, in the order of the list.
+/// All terms: those of energies/all.h in the order of the list, then those that were registered.
 const std::vector<EnergyInfo>& known_energies();
 
-/// The terms of nodes that are rotations by construction (energies/graph/rotation_vector.h), summed
-/// likewise, with their weights where none is named. They have the names of those they stand for.
-const std::vector<EnergyInfo>& known_rigid_energies();
-std::unique_ptr<Energy> make_rigid_energy(std::string_view name, const DeformationGraph& graph,
-                                          const Embedding& handles);
+/// The term of this name. Throws InputError if there is none; the message lists those there are.
+const EnergyInfo& energy_info(std::string_view name);
 
-/// The named term, summed over a graph and its handles. `handles` are embedded in the same graph,
-/// in the same unit of length. d = 2 is the term of the plane, for which the z of both counts
-/// nothing. Throws InputError for an unknown name.
-std::unique_ptr<Energy> make_energy(std::string_view name, const DeformationGraph& graph,
-                                    const Embedding& handles, int d = 3);
+/// The term of this name, summed over a graph and its handles. Throws InputError for an unknown
+/// name, an option that the term does not have or cannot take, and a term that is not defined for
+/// the context's model of nodes.
+std::unique_ptr<Energy> make_energy(std::string_view name, const GraphContext& context,
+                                    const OptionValues& options = {});
+
+/// What is set for one term: its weight w, the default if none is given, and its own options. A
+/// number alone stands for the weight.
+struct TermSettings {
+  std::optional<double> weight{};
+  OptionValues options{};
+
+  TermSettings() = default;
+  TermSettings(double w)
+      : weight(w) {}  // NOLINT(google-explicit-constructor): energies["volume"] = 2
+  TermSettings(std::optional<double> w, OptionValues o) : weight(w), options(std::move(o)) {}
+};
+
+/// Throws InputError for an unknown term, a weight that is no number of 0 or more, and an option
+/// that the term does not have.
+void check_settings(const std::map<std::string, TermSettings>& energies);
 
 }  // namespace deformlab

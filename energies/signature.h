@@ -1,67 +1,151 @@
 #pragma once
 
-#include <algorithm>
+#include <Eigen/Core>
 #include <array>
+#include <concepts>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
-#include "energies/term.h"
-
 namespace deformlab {
 
-/// What an argument type of a term reads of its node: a d×c matrix the node's first c columns.
+template <class T, int n>
+using Vector = Eigen::Matrix<T, n, 1>;
+template <class T, int d>
+using Matrix = Eigen::Matrix<T, d, d>;
+
+/// How an argument type of a term is read from its node: `kDimension` is d, `kColumns` is how many
+/// columns it reads, from the node's first. `from(x, active)` makes the argument from the stored
+/// entries x. Where the scalar is a ceres::Jet and `active` is true, entry i is variable i.
+///
+/// A specialization of this template makes a new type of argument known.
 template <class A>
 struct Reads;
+
 template <class T, int d, int c>
 struct Reads<Eigen::Matrix<T, d, c>> {
   static constexpr int kDimension = d, kColumns = c;
-  static Eigen::Matrix<T, d, c> from(const T* x) {
-    return Eigen::Map<const Eigen::Matrix<T, d, c>>(x);
-  }
-};
-template <class T, int d>
-struct Reads<Affine<T, d>> {
-  static constexpr int kDimension = d, kColumns = d + 1;
-  static Affine<T, d> from(const T* x) {
-    return {Reads<Matrix<T, d>>::from(x), Reads<Vector<T, d>>::from(x + d * d)};
+
+  /// `first` is the number of the first entry among those of the node.
+  static Eigen::Matrix<T, d, c> from(const double* x, bool active, int first = 0) {
+    if constexpr (std::is_same_v<T, double>) {
+      return Eigen::Map<const Eigen::Matrix<T, d, c>>(x + first);
+    } else {
+      Eigen::Matrix<T, d, c> result;
+      for (int i = 0; i < d * c; ++i) {
+        result.data()[i] = active ? T(x[first + i], first + i) : T(x[first + i]);
+      }
+      return result;
+    }
   }
 };
 
-/// Arguments and residual of a term's call operator, read off its signature.
+/// The argument of a term whose elements read any number of nodes, which is the same for all of
+/// its elements.
+template <class A>
+class NodeList {
+ public:
+  NodeList(const double* const* x, int size, int active) : x_(x), size_(size), active_(active) {}
+  int size() const { return size_; }
+  A operator[](int j) const { return Reads<A>::from(x_[j], j == active_); }
+
+ private:
+  const double* const* x_;
+  int size_, active_;  // the latter is the node whose entries are the variables of a Jet
+};
+
+template <class A>
+concept Readable = requires {
+  Reads<A>::kDimension;
+};
+
+/// A column of fixed size that holds its numbers, which an Eigen expression does not.
+template <class R>
+concept FixedVector =
+    std::derived_from<R, Eigen::PlainObjectBase<R>> && R::ColsAtCompileTime == 1 &&
+    R::RowsAtCompileTime > 0;
+
+/// The type of a call operator for the scalar T, or void where a term has none.
+template <class Term, class T>
+struct CallOperator {
+  using Type = void;
+};
+template <class Term, class T>
+requires requires { &Term::template operator()<T>; }
+struct CallOperator<Term, T> {
+  using Type = decltype(&Term::template operator()<T>);
+};
+
+/// What a call operator takes and returns. This general case stands for an operator that cannot be
+/// used, so that the static_assert that refuses it is the only error that the compiler prints.
 template <class Operator>
-struct Signature;
+struct Signature {
+  using Residual = Vector<double, 1>;
+  using Return = void;
+  static constexpr bool kUsable = false, kReadable = false, kAnyNumber = false;
+  static constexpr int kArity = 1, kDimension = 1;
+  static constexpr std::array<int, 1> kColumns{1};
+
+  template <class Call>
+  static Residual apply(Call&&, const double* const*, int, int = -1) {
+    return Residual::Zero();
+  }
+};
+
+/// The same of an operator that returns or takes something else than a term may.
+template <class R, bool readable>
+struct RefusedSignature : Signature<void> {
+  using Return = R;
+  static constexpr bool kReadable = readable;
+};
+
+template <class... A>
+inline constexpr bool kAllReadable = sizeof...(A) > 0 && (Readable<std::remove_cvref_t<A>> && ...);
+
 template <class R, class Term, class... A>
+struct Signature<R (Term::*)(A...) const> : RefusedSignature<R, kAllReadable<A...>> {};
+
+template <class R, class Term, class A>
+requires(!FixedVector<R>) struct Signature<R (Term::*)(NodeList<A>) const>
+    : RefusedSignature<R, Readable<A>> {
+};
+
+template <FixedVector R, class Term, class... A>
+requires kAllReadable<A...>
 struct Signature<R (Term::*)(A...) const> {
   using Residual = R;
+  using Return = R;
   using First = std::remove_cvref_t<std::tuple_element_t<0, std::tuple<A...>>>;
-  static constexpr bool kAnyNumber = false;
-  static constexpr int kArity = sizeof...(A);
+  static constexpr bool kUsable = true, kReadable = true, kAnyNumber = false;
+  static constexpr int kArity = sizeof...(A), kDimension = Reads<First>::kDimension;
   static constexpr std::array<int, sizeof...(A)> kColumns{
       Reads<std::remove_cvref_t<A>>::kColumns...};
 
+  /// Calls a member of a term for one element, whose a-th node is stored at x[a].
   template <class Call>
-  static auto apply(Call&& call, const auto* const* x, int) {
+  static auto apply(Call&& call, const double* const* x, int, int active = -1) {
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return call(Reads<std::remove_cvref_t<A>>::from(x[i])...);
+      return call(Reads<std::remove_cvref_t<A>>::from(x[i], static_cast<int>(i) == active)...);
     }
     (std::index_sequence_for<A...>{});
   }
 };
-template <class R, class Term, class A>
-struct Signature<R (Term::*)(std::span<const A>) const> {
+
+template <FixedVector R, class Term, Readable A>
+struct Signature<R (Term::*)(NodeList<A>) const> {
   using Residual = R;
-  using First = A;
-  static constexpr bool kAnyNumber = true;
-  static constexpr int kArity = kMaxNeighbors;
+  using Return = R;
+  static constexpr bool kUsable = true, kReadable = true, kAnyNumber = true;
+  static constexpr int kArity = 0, kDimension = Reads<A>::kDimension;
   static constexpr std::array<int, 1> kColumns{Reads<A>::kColumns};
 
   template <class Call>
-  static auto apply(Call&& call, const auto* const* x, int arity) {
-    std::array<A, kArity> nodes;
-    for (int a = 0; a < arity; ++a) nodes[a] = Reads<A>::from(x[a]);
-    return call(std::span<const A>(nodes.data(), arity));
+  static auto apply(Call&& call, const double* const* x, int arity, int active = -1) {
+    return call(NodeList<A>(x, arity, active));
   }
 };
+
+template <class Term, class T = double>
+using SignatureOf = Signature<typename CallOperator<Term, T>::Type>;
 
 }  // namespace deformlab

@@ -1,46 +1,50 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <initializer_list>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "energies/energy.h"
-#include "geometry/graph/deformation_graph.h"
+#include "energies/signature.h"
 
 namespace deformlab {
 
-template <class T, int d>
-using Vector = Eigen::Matrix<T, d, 1>;
-template <class T, int d>
-using Matrix = Eigen::Matrix<T, d, d>;
+/// The name of a term, or nothing where it has none, which TermEnergy refuses.
+template <class Term>
+constexpr std::string_view name_of() {
+  if constexpr (requires { Term::kName; }) return Term::kName;
+  return "";
+}
 
-/// The transformation of one graph node (Sumner et al. 2007, Eq. 1), in space (d = 3) or in the
-/// plane (d = 2).
-template <class T, int d>
-struct Affine {
-  Matrix<T, d> R;
-  Vector<T, d> t;  ///< [length]
-};
+/// Throw InputError: an element of a term was given another number of nodes than it reads, or a
+/// weight that is negative or not a number.
+[[noreturn]] void throw_wrong_nodes(std::string_view term, std::size_t element, std::size_t given,
+                                    int arity);
+[[noreturn]] void throw_wrong_weight(std::string_view term, std::size_t element, double weight);
 
 /// The elements of one term and the nodes that each of them reads: the Σ of the paper.
 ///
-/// A term is a struct of one element's data with a call operator, a template over the scalar, that
-/// returns the residual as a vector of fixed size (kMaxResiduals at most). What the operator takes
-/// says what it reads:
-///   const Affine<T, d>&              all of a graph node
-///   const Matrix<T, d>&              its linear part R_j alone
-///   const Vector<T, d>&              a vertex
-///   std::span<const Affine<T, d>>    any number of nodes, the same for each element
-/// Beside it stand kName, kStructure and `over`, which makes the sum. Optional members:
-///   kWeight       its weight where a config names none (else 0: off until a config asks for it)
-///   kZeroAtRest, kRigidlyInvariant   laws that hold for it, and are then tested
-///   jacobian      in place of automatic differentiation, which it is tested against
-///   coefficients  the same of a Kronecker term: a of J = aᵀ ⊗ I_d, given the number of nodes
-///   offset        and b of r = X a − b, where it brings coefficients
-///   set_targets           takes the handles' targets
+/// A term is a struct that holds the data of one element. Its call operator is a template over the
+/// scalar and returns the residual as a vector of fixed size (kMaxResiduals at most). The types of
+/// its arguments say what the residual reads, one node for each argument:
+///   const Vector<T, d>&        the first column of the node, such as a vertex
+///   const Matrix<T, d>&        the first d columns, such as R_j of an affine node
+///   const State<Node, T>&      a graph node of any model (energies/graph/nodes.h)
+///   NodeList<State<Node, T>>   any number of nodes, the same number for each element
+/// A term also needs its kName. These members are optional:
+///   kStructure    what a solver may rely on; nonlinear if the term does not say
+///   kWeight       its weight where a config names none; 0 if the term does not say
+///   kZeroAtRest, kRigidlyInvariant   laws that hold for the term and that the tests then check
+///   jacobian      the derivative; without it, the derivative is found by automatic differentiation
+///   coefficients  the same for a Kronecker term: a of J = aᵀ ⊗ I_d, given the number of nodes
+///   offset        b of r = X a − b, for a Kronecker term with coefficients
+///   set_targets   takes the targets of the handles, d×p
+/// Terms over a graph also have `over`, which makes the sum (energies/graph/sums.h), and may have
+/// Options, which configs set (energies/term_options.h).
 template <class Term>
 struct Terms {
-  int arity = 1;
+  int arity = SignatureOf<Term>::kArity;  ///< nodes an element; 0 until `add` settles any number
   std::vector<Term> elements{};
   std::vector<int> nodes{};       ///< arity entries an element
   std::vector<double> weights{};  ///< one an element
@@ -50,7 +54,15 @@ struct Terms {
     nodes.reserve(count * arity);
     weights.reserve(count);
   }
+
+  /// Throws InputError if the number of nodes is not that of the term, or of the elements so far,
+  /// and for a weight below 0.
   void add(const Term& element, std::span<const int> its_nodes, double weight = 1) {
+    if (arity == 0) arity = static_cast<int>(its_nodes.size());
+    if (std::ssize(its_nodes) != arity || arity == 0) {
+      throw_wrong_nodes(name_of<Term>(), elements.size(), its_nodes.size(), arity);
+    }
+    if (!(weight >= 0)) throw_wrong_weight(name_of<Term>(), elements.size(), weight);
     elements.push_back(element);
     nodes.insert(nodes.end(), its_nodes.begin(), its_nodes.end());
     weights.push_back(weight);

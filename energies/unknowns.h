@@ -5,9 +5,10 @@
 
 namespace deformlab {
 
-/// The unknowns of one problem: nodes side by side in one matrix of d rows, each node owning a few
-/// consecutive columns. Embedded deformation has d = 3 and four columns a node, R_j and t_j; a
-/// triangulated drawing has d = 2 and one column, the vertex. Nodes of several kinds may be mixed.
+/// The unknowns of one problem: nodes side by side in one matrix with d rows. Each node owns a few
+/// consecutive columns. In embedded deformation d = 3 and a node has four columns, R_j and t_j; in
+/// a triangulated drawing d = 2 and a node has one column, the vertex. One problem may have nodes
+/// with different numbers of columns.
 struct Unknowns {
   Eigen::MatrixXd X;          ///< d × number of columns
   std::vector<int> first{0};  ///< node j owns the columns first[j] … first[j+1] − 1
@@ -17,7 +18,7 @@ struct Unknowns {
   int columns(int j) const { return first[j + 1] - first[j]; }
   const double* node(int j) const { return X.data() + X.rows() * first[j]; }
 
-  /// m nodes of equally many columns, side by side in X.
+  /// m nodes with the same number of columns, side by side in X.
   static Unknowns uniform(Eigen::MatrixXd X, int m) {
     Unknowns x{std::move(X), {}};
     const int columns = m > 0 ? static_cast<int>(x.X.cols()) / m : 0;

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <string>
 
+#include "energies/structure.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -25,10 +26,12 @@ bool fits(const Energy& energy, const Unknowns& x) {
 
 void check(const Problem& problem) {
   for (const WeightedEnergy& term : problem.terms) {
-    if (fits(*term.energy, problem.x)) continue;
-    throw InputError("the term '" + std::string(term.energy->name()) +
-                     "' reads nodes that this problem does not have: check the node indices, the "
-                     "dimension and the columns of its arguments");
+    if (!fits(*term.energy, problem.x)) {
+      throw InputError("the term '" + std::string(term.energy->name()) +
+                       "' reads nodes that this problem does not have: check the node indices, the "
+                       "dimension and the columns of its arguments");
+    }
+    check_structure(*term.energy);
   }
 }
 

@@ -27,7 +27,7 @@ struct Problem {
 };
 
 /// Throws InputError for a term that reads nodes which the problem does not have, or of another
-/// dimension or fewer columns than it takes.
+/// dimension or fewer columns than it takes, or that does not have the structure it declares.
 void check(const Problem& problem);
 
 /// What each term counts at x, in the problem's order.

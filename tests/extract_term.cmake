@@ -1,10 +1,13 @@
-# Writes the term that CONTRIBUTING.md shows to OUTPUT_DIR, under the name that it gives it there, so
-# that the tests build the very text.
+# Does with the term of CONTRIBUTING.md what the page tells a reader to do, in OUTPUT_DIR instead of
+# the source folder, so that the tests build the very text: writes the term to the file that the page
+# names, and a copy of energies/all.h with the printed include and the printed name appended to the
+# list.
 function(deformlab_extract_term output_dir)
   set(page ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+  set(list ${PROJECT_SOURCE_DIR}/energies/all.h)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page} ${list})
   file(READ ${page} text)
-  if(NOT text MATCHES "here `(energies/[a-z0-9_]+\\.h)`")
+  if(NOT text MATCHES "here `(energies/[a-z0-9_/]+\\.h)`")
     message(FATAL_ERROR "CONTRIBUTING.md does not name the file of its term")
   endif()
   set(name ${CMAKE_MATCH_1})
@@ -12,4 +15,17 @@ function(deformlab_extract_term output_dir)
     message(FATAL_ERROR "CONTRIBUTING.md does not show a term")
   endif()
   file(CONFIGURE OUTPUT ${output_dir}/${name} CONTENT "${CMAKE_MATCH_1}" @ONLY)
+
+  if(NOT text MATCHES "In `energies/all.h`, add `(#include \"[a-z0-9_/.]+\")` and append `([A-Za-z0-9]+)` to `GraphTerms`")
+    message(FATAL_ERROR "CONTRIBUTING.md does not say what to add to energies/all.h")
+  endif()
+  set(include_line "${CMAKE_MATCH_1}")
+  set(term "${CMAKE_MATCH_2}")
+  file(READ ${list} all)
+  if(NOT all MATCHES "(using GraphTerms =[ \n]*GraphTermList<[^>]*)>;")
+    message(FATAL_ERROR "energies/all.h has no list of terms")
+  endif()
+  string(REPLACE "${CMAKE_MATCH_1}>;" "${CMAKE_MATCH_1}, ${term}>;" all "${all}")
+  string(REPLACE "#pragma once\n" "#pragma once\n\n${include_line}" all "${all}")
+  file(CONFIGURE OUTPUT ${output_dir}/energies/all.h CONTENT "${all}" @ONLY)
 endfunction()

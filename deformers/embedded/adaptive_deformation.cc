@@ -1,9 +1,10 @@
 #include "deformers/embedded/adaptive_deformation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <string>
 #include <utility>
 
 #include "geometry/core/error.h"
@@ -11,33 +12,34 @@
 namespace deformlab {
 namespace {
 
-constexpr double kNothing = 1e-20;  // of F: what rounding leaves of it at rest
+constexpr double kNothing = 1e-20;  // F below this is what rounding leaves of it at rest
 
 void check(const GraphOptions& o) {
   const auto& [start, rounds] = o.adaptive;
   if (o.method == "file") {
     throw InputError(
-        "graph.adaptive adds nodes, but graph.method is file, and a graph made by hand has its "
-        "own; use another method, or make graph.adaptive.start 0");
+        "graph.adaptive adds nodes, but graph.method is file, and a graph made by hand keeps its "
+        "nodes; use another method, or make graph.adaptive.start 0");
   }
   if (start < 1 || start >= o.nodes) {
-    throw InputError("graph.adaptive.start is " + std::to_string(start) +
-                     "; it is at least 1 and less than graph.nodes, which is " +
-                     std::to_string(o.nodes));
+    throw InputError(fmt::format(
+        "graph.adaptive.start is {}; it is at least 1 and less than graph.nodes, which is {}",
+        start, o.nodes));
   }
   if (rounds < 1 || rounds > o.nodes - start) {
-    throw InputError("graph.adaptive.rounds is " + std::to_string(rounds) + "; it is 1 to " +
-                     std::to_string(o.nodes - start) + ", the number of nodes to be added");
+    throw InputError(
+        fmt::format("graph.adaptive.rounds is {}; it is 1 to {}, the number of nodes to be added",
+                    rounds, o.nodes - start));
   }
 }
 
-// What the graph of a round is made with.
+// The options of one round, whose graph is not adaptive.
 EmbeddedDeformationOptions of_one_graph(EmbeddedDeformationOptions options) {
   options.graph.nodes = std::exchange(options.graph.adaptive.start, 0);
   return options;
 }
 
-// The report of a solve, with what those before it took.
+// Adds the steps and the seconds of the solves before to the report of the last one.
 void add(const Report& before, Report& report) {
   for (const auto& [phase, seconds] : before.seconds) report.seconds[phase] += seconds;
   for (const auto& [phase, seconds] : before.solve.seconds) report.solve.seconds[phase] += seconds;
@@ -48,12 +50,13 @@ void add(const Report& before, Report& report) {
   report.solve.cg_iterations += before.solve.cg_iterations;
 }
 
-// A vertex that may get a node. Distances only shrink as nodes are chosen, and scores with them:
-// one that was computed earlier is looked at again only when it comes to the top.
+// A vertex that may get a node. As nodes are chosen, distances only shrink, and scores with them.
+// So the score of a candidate is computed again only when the candidate comes to the top of the
+// queue.
 struct Candidate {
   double cost, distance;
   int vertex;
-  std::size_t seen = 0;  // of the chosen ones
+  std::size_t seen = 0;  // so many of the chosen vertices are part of `distance`
   double score() const { return cost * distance; }
   bool operator<(const Candidate& o) const {
     return std::pair(score(), -vertex) < std::pair(o.score(), -o.vertex);
@@ -113,15 +116,15 @@ std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3X
 Transformations continued(const EmbeddedDeformation& deformation, std::span<const int> vertices) {
   const Transformations X = deformation.transformations();
   const Embedding at = subset(deformation.embedding(), vertices);
-  const Eigen::Matrix3Xd places = transfer_positions(X, deformation.graph().g, at);
-  Transformations result = Transformations::Zero(3, X.cols() + 4 * places.cols());
+  const Eigen::Matrix3Xd positions = transfer_positions(X, deformation.graph().g, at);
+  Transformations result = Transformations::Zero(3, X.cols() + 4 * positions.cols());
   result.leftCols(X.cols()) = X;
-  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
     auto node = result.middleCols<4>(X.cols() + 4 * i);
     for (Eigen::Index a = 0; a < at.nodes.rows(); ++a) {
       node.leftCols<3>() += at.weights(a, i) * X.middleCols<3>(4 * at.nodes(a, i));
     }
-    node.col(3) = places.col(i) - at.v.col(i);
+    node.col(3) = positions.col(i) - at.v.col(i);
   }
   return result;
 }
@@ -143,7 +146,7 @@ void AdaptiveDeformation::compile(const Handles& handles) {
   handles_ = handles;
 }
 
-// How many nodes follow m: every round multiplies them alike.
+// The number of nodes after m. Each round multiplies it by the same factor.
 int AdaptiveDeformation::next_count(int m) const {
   const auto& [start, rounds] = options_.graph.adaptive;
   const double nodes = options_.graph.nodes;
@@ -155,7 +158,7 @@ int AdaptiveDeformation::next_count(int m) const {
   return options_.graph.nodes;
 }
 
-// False where nothing is left to add, or no reason to.
+// Returns false if no node is left to be added or no term costs anything.
 bool AdaptiveDeformation::refine() {
   const int m = static_cast<int>(embedded_->graph().g.cols());
   if (m >= options_.graph.nodes) return false;
@@ -181,9 +184,10 @@ Report AdaptiveDeformation::update(const Eigen::Matrix3Xd& targets) {
   }
   const int wanted = options_.graph.nodes;
   if (report.nodes < wanted && node_costs(embedded_->problem()).sum() > kNothing) {
-    report.notes.push_back("the graph has " + std::to_string(report.nodes) +
-                           " nodes instead of graph.nodes, " + std::to_string(wanted) +
-                           ": every vertex where the terms cost anything has one");
+    report.notes.push_back(fmt::format(
+        "the graph has {} nodes instead of graph.nodes, {}: every vertex where the terms "
+        "cost anything has one",
+        report.nodes, wanted));
   }
   return report;
 }

@@ -1,7 +1,6 @@
 #include "deformers/embedded/animated_deformation.h"
 
-#include <sstream>
-#include <string>
+#include <fmt/format.h>
 
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
@@ -11,28 +10,27 @@
 namespace deformlab {
 namespace {
 
-constexpr double kSame = 1e-6;  // of the diagonal: a node so far from a vertex still sits on it
+constexpr double kSame = 1e-6;  // of the diagonal; a node that is nearer to a vertex sits on it
 
 EmbeddedDeformation on_vertices(const Shape& pose, const EmbeddedDeformationOptions& options) {
   const GraphOptions& graph = options.graph;
-  const bool beside = graph.method == "sampling" && graph.distance == "euclidean";
-  if (!beside) return {pose, options};
+  const bool between_vertices = graph.method == "sampling" && graph.distance == "euclidean";
+  if (!between_vertices) return {pose, options};
   const Eigen::Matrix3Xd sampled = sample_nodes(pose, graph.nodes, graph.seed);
   const Eigen::Matrix3Xd nodes = pose.V(Eigen::all, distinct_nearest_vertices(sampled, pose.V));
   return {pose, nodes, options};
 }
 
-std::vector<int> vertices_below(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& V) {
+std::vector<int> vertices_at(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& V) {
   const std::vector<int> vertices = nearest_vertices(g, V);
   const double same = kSame * bounding_box_diagonal(V);
   for (Eigen::Index j = 0; j < g.cols(); ++j) {
     const double away = (g.col(j) - V.col(vertices[static_cast<std::size_t>(j)])).norm();
     if (away <= same) continue;
-    std::ostringstream message;
-    message << "node " << j + 1 << " of the graph is " << away << " away from the nearest vertex, "
-            << vertices[static_cast<std::size_t>(j)]
-            << "; the nodes of an animation sit on vertices, to go with them: put it there";
-    throw InputError(message.str());
+    throw InputError(fmt::format(
+        "node {} of the graph is {:g} away from the nearest vertex, {}; the nodes of an animation "
+        "sit on vertices, to go with them: put it there",
+        j + 1, away, vertices[static_cast<std::size_t>(j)]));
   }
   return vertices;
 }
@@ -44,11 +42,12 @@ AnimatedDeformation::AnimatedDeformation(const Shape& pose,
     : deformation_(on_vertices(pose, options)),
       node_vertices_(deformation_.graph().g.cols() == std::ssize(deformation_.node_vertices())
                          ? deformation_.node_vertices()
-                         : vertices_below(deformation_.graph().g, pose.V)) {}
+                         : vertices_at(deformation_.graph().g, pose.V)) {}
 
 void AnimatedDeformation::compile(const Handles& handles) {
   if (handles.points.cols() > 0) {
-    throw InputError("a place that is no vertex does not follow an animation; hold vertices");
+    throw InputError(
+        "a point that is not a vertex does not follow an animation; use vertices as handles");
   }
   deformation_.compile(handles);
   handles_ = handles;

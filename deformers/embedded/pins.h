@@ -8,26 +8,26 @@
 
 namespace deformlab {
 
-/// A component of the graph whose moved vertices all lie in one place, with no node fixed.
+/// A component of the graph whose handles all lie at one point and that has no fixed node.
 struct PointPin {
   std::vector<int> nodes;
   std::vector<int> handles;  ///< columns of the handles' embedding
 };
 
-/// What hold_free_components found.
+/// What pin_free_components found.
 struct Pins {
   std::vector<PointPin> at_one_point;
-  std::vector<std::string> notes;  ///< what a user should know, a sentence each
+  std::vector<std::string> notes;  ///< what a user should know, one sentence each
 };
 
-/// A component of the graph without a handle could float anywhere at no cost: its nodes are marked
-/// in `fixed` (one entry a node), so that it stays where it is. One with too few handles may still
-/// turn about them, which the solvers can take.
-///   handles  the moved vertices; extent  the size of the shape, both [length].
-Pins hold_free_components(const DeformationGraph& graph, const Embedding& handles, double extent,
-                          std::vector<char>& fixed);
+/// A component of the graph without a handle could be anywhere at no cost. Its nodes are marked in
+/// `fixed` (one entry for each node), so that it stays where it is. A component with too few
+/// handles may still rotate about them, which the solvers can deal with.
+///   handles  the handles that move; extent  the size of the shape, both [length].
+Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles, double extent,
+                         std::vector<char>& fixed);
 
-/// How many of the handles follow fixed nodes only, and so cannot move.
+/// The number of handles that follow fixed nodes only and so cannot move.
 int count_immovable(const Embedding& handles, const std::vector<char>& fixed);
 
 }  // namespace deformlab

@@ -1,16 +1,17 @@
 #include "deformers/embedded/reflections.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "deformers/embedded/node_states.h"
 #include "energies/catalog.h"
 #include "energies/graph/orientation.h"
 #include "solvers/stopwatch.h"
@@ -18,10 +19,11 @@
 namespace deformlab {
 namespace {
 
-// `orientation` weighs this many times the least of the other weights, more in each round while
-// nodes are left inside out: as little as will do, for a stiffer term takes more steps.
+// The weight of `orientation`, in multiples of the least of the other weights. It grows from round
+// to round while nodes are left inside out, and begins low, because a stiffer term takes more
+// steps.
 constexpr double kRounds[] = {1e2, 1e3, 1e4, 1e5};
-constexpr int kSweeps = 300;  // that spread rotations
+constexpr int kSweeps = 300;  // for the spreading of rotations
 
 using Neighbors = std::vector<std::vector<int>>;
 
@@ -44,8 +46,8 @@ Eigen::Vector3d normal(const DeformationGraph& graph, const std::vector<int>& ar
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
 }
 
-// q and −q are the same rotation: each takes the sign that is nearer to the node it is reached
-// from.
+// q and −q are the same rotation. Each node takes the sign that is nearer to the neighbour from
+// which the search reaches it.
 void align(const Neighbors& around, Eigen::Matrix4Xd& q) {
   std::vector<char> seen(around.size(), 0);
   std::vector<int> queue;
@@ -64,8 +66,8 @@ void align(const Neighbors& around, Eigen::Matrix4Xd& q) {
   }
 }
 
-// The nodes that are inside out, mirrored back along the normal of their neighbours, which hardly
-// moves a flat patch.
+// The rotations of all nodes. Those that are inside out are mirrored along the normal of their
+// neighbours first, which hardly moves a flat patch.
 Eigen::Matrix4Xd mirrored_back(const DeformationGraph& graph, const Neighbors& around,
                                const Unknowns& x) {
   Eigen::Matrix4Xd q(4, x.nodes());
@@ -81,17 +83,17 @@ Eigen::Matrix4Xd mirrored_back(const DeformationGraph& graph, const Neighbors& a
   return q;
 }
 
-// A start from which twists unwind: nodes are mirrored back, and the rotations of those that no
-// handle follows are spread evenly between those of the others.
+// A start from which twists unwind: nodes are mirrored back, and the rotations of nodes that no
+// handle follows become the means of their neighbours' rotations.
 void spread_rotations(const DeformationGraph& graph, const Embedding& handles,
                       const std::vector<char>& fixed, Unknowns& x) {
   const Neighbors around = neighbors(graph);
-  std::vector<char> held = fixed;
-  for (const int j : handles.nodes.reshaped()) held[j] = 1;
+  std::vector<char> keeps = fixed;
+  for (const int j : handles.nodes.reshaped()) keeps[j] = 1;
   Eigen::Matrix4Xd q = mirrored_back(graph, around, x);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (int j = 0; j < x.nodes(); ++j) {
-      if (held[j]) continue;
+      if (keeps[j]) continue;
       Eigen::Vector4d mean = q.col(j);
       for (const int k : around[j]) mean += q.col(k);
       if (mean.norm() > 1e-6) q.col(j) = mean.normalized();
@@ -106,10 +108,10 @@ void spread_rotations(const DeformationGraph& graph, const Embedding& handles,
 
 struct Guarded {
   Summary solve;
-  double orientation = 0;  // what the term counts at the end
+  double orientation = 0;  // the cost of that term at the end
 };
 
-// A term of the problem for as long as this lives.
+// A term that is part of the problem for as long as this object lives.
 class AddedTerm {
  public:
   AddedTerm(Problem& problem, std::unique_ptr<Energy> energy) : problem_(problem) {
@@ -118,7 +120,7 @@ class AddedTerm {
   ~AddedTerm() { problem_.terms.pop_back(); }
   AddedTerm(const AddedTerm&) = delete;
   AddedTerm& operator=(const AddedTerm&) = delete;
-  void weigh(double weight) { problem_.terms.back().weight = weight; }
+  void set_weight(double weight) { problem_.terms.back().weight = weight; }
 
  private:
   Problem& problem_;
@@ -131,7 +133,7 @@ Guarded solve_guarded(Problem& problem, std::unique_ptr<Energy> orientation,
   for (const WeightedEnergy& term : problem.terms) least = std::min(least, term.weight);
   AddedTerm added(problem, std::move(orientation));
   for (const double factor : kRounds) {
-    added.weigh(factor * least);
+    added.set_weight(factor * least);
     const std::unique_ptr<Solver> solver = make_solver(options);
     solver->compile(problem);
     result.solve = solver->solve(problem);
@@ -141,8 +143,8 @@ Guarded solve_guarded(Problem& problem, std::unique_ptr<Energy> orientation,
   return result;
 }
 
-// Without the term, where no node turns over again.
-void set_free(Problem& problem, Solver& solver, Guarded& guarded) {
+// Solves without the term. The result is kept unless more nodes turn over again.
+void solve_without_term(Problem& problem, Solver& solver, Guarded& guarded) {
   if (guarded.orientation == 0) return;
   const Eigen::MatrixXd X = problem.x.X;
   const int left = count_inside_out(problem.x);
@@ -155,24 +157,17 @@ void set_free(Problem& problem, Solver& solver, Guarded& guarded) {
 }
 
 std::string note(int before, int left, double F_before, double F, double orientation) {
-  std::ostringstream text;
-  text << "nodes that were inside out and were turned back: " << before - left << " of " << before
-       << "; F was " << F_before << " and is " << F;
+  std::string text = fmt::format(
+      "nodes that were inside out and were turned back: {} of {}; F was {:g} and is {:g}",
+      before - left, before, F_before, F);
   if (orientation > 0) {
-    text << ", beside " << orientation
-         << " of the term orientation, without which they turn over again";
+    text += fmt::format(", beside {:g} of the term orientation, without which they turn over again",
+                        orientation);
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace
-
-Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d U = svd.matrixU();
-  if ((U * svd.matrixV().transpose()).determinant() < 0) U.col(2) = -U.col(2);
-  return U * svd.matrixV().transpose();
-}
 
 int count_inside_out(const Unknowns& x) {
   const int d = x.dimension();
@@ -190,14 +185,16 @@ void repair_reflections(Problem& problem, const DeformationGraph& graph, const E
   const double F_before = cost(problem, problem.x);
   const int d = problem.x.dimension();
   if (d == 3) spread_rotations(graph, handles, problem.fixed, problem.x);
-  Guarded guarded =
-      solve_guarded(problem, make_energy(Orientation<>::kName, graph, handles, d), options);
+  Guarded guarded = solve_guarded(
+      problem,
+      make_energy(Orientation<>::kName, {.graph = graph, .handles = handles, .dimension = d}),
+      options);
   if (guarded.solve.status == Status::kFailed || count_inside_out(problem.x) >= before) {
     problem.x.X = X;
     report.notes.push_back("nodes that are inside out could not be turned back");
     return;
   }
-  set_free(problem, solver, guarded);
+  solve_without_term(problem, solver, guarded);
   report.notes.push_back(note(before, count_inside_out(problem.x), F_before,
                               cost(problem, problem.x), guarded.orientation));
   report.solve = std::move(guarded.solve);

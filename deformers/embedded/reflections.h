@@ -8,21 +8,19 @@
 
 namespace deformlab {
 
-/// The rotation that is nearest to R.
-Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R);
-
-/// Nodes that turn space inside out, det R_j < 0; a node is R_j and t_j, d×(d+1).
+/// The number of nodes that turn space inside out, det R_j < 0, where a node is R_j and t_j,
+/// d×(d+1).
 int count_inside_out(const Unknowns& x);
 
-/// Where nodes are inside out, a better place is taken to solve on from: in space they are mirrored
-/// back along the normal of their neighbours, and the rotations of nodes that no handle follows are
-/// spread evenly between those of the others. That unwinds twists. F is then minimised with the
-/// term `orientation` added, which draws det R_j up to above 0, and from there without it. What
-/// comes out is a minimum of F; only where nodes would turn over again, because a fold is what F is
-/// least at, it is one of F + orientation. It is kept where fewer nodes are inside out than before,
-/// and report.notes say what was done.
-///   graph   in any unit, as the handles embedded in it
-///   solver  compiled for the problem; another, of these options, is made for the added term.
+/// If nodes are inside out, solves again from a better start. In space, these nodes are mirrored
+/// along the normal of their neighbours, and the rotations of nodes that no handle follows are
+/// spread evenly between those of the others, which unwinds twists. F is then minimised with the
+/// term `orientation`, which draws det R_j above 0, and from there without it. The result is a
+/// minimum of F. Only if nodes would turn over again, because F has its least value at a fold, is
+/// it a minimum of F + orientation. The result is kept if fewer nodes are inside out than before.
+/// report.notes say what was done.
+///   graph, handles  in the same unit, which may be any
+///   solver          is compiled for the problem; the term is added for another one with `options`
 void repair_reflections(Problem& problem, const DeformationGraph& graph, const Embedding& handles,
                         Solver& solver, const SolverOptions& options, Report& report);
 

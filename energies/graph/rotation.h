@@ -1,18 +1,18 @@
 #pragma once
 
-#include "energies/term.h"
+#include "energies/graph/sums.h"
 
 namespace deformlab {
 
-/// Sumner et al. 2007, Eq. 5, one node: R_j is a rotation where its columns are orthonormal. A
-/// reflection is too, for all this term can see.
-template <int d = 3>
+/// E_rot, Sumner et al. 2007, Eq. 5 and 6, one node: R_j is a rotation if its columns are
+/// orthonormal. They are orthonormal in a reflection too, which this term therefore cannot see.
+template <class Node = AffineNode<3>>
 struct Rotation {
   static constexpr std::string_view kName = "rotation";
-  static constexpr Structure kStructure = Structure::kNonlinear;
   static constexpr double kWeight = 1;
   static constexpr bool kZeroAtRest = true;
   static constexpr bool kRigidlyInvariant = true;
+  static constexpr int d = Node::kDimension;
 
   /// c_a · c_b for all a < b, then c_a · c_a − 1.
   template <class T>
@@ -41,12 +41,7 @@ struct Rotation {
     return J;
   }
 
-  /// Eq. 6: all nodes.
-  static Terms<Rotation> over(const DeformationGraph& graph) {
-    Terms<Rotation> sum;
-    for (int j = 0; j < graph.g.cols(); ++j) sum.add({}, {j});
-    return sum;
-  }
+  static Terms<Rotation> over(const GraphContext& context) { return over_nodes<Rotation>(context); }
 };
 
 }  // namespace deformlab

@@ -3,16 +3,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "energies/term.h"
+#include "energies/signature.h"
 
 namespace deformlab {
 
-/// A node that can only turn and move: its rotation vector ω, whose length θ is the angle, and t.
-template <class T>
-using Rigid = Eigen::Matrix<T, 3, 2>;
-
-/// a = sin θ / θ and b = (1 − cos θ) / θ² of θ². Near θ = 0, where both are 0/0, their series keep
-/// all derivatives.
+/// a = sin θ / θ and b = (1 − cos θ) / θ² as functions of θ². Near θ = 0, where both are 0/0, their
+/// series have the right derivatives too.
 template <class T>
 struct Rodrigues {
   static constexpr double kSmall = 1e-4;  // the next terms of the series would be below rounding
@@ -29,16 +25,16 @@ struct Rodrigues {
   }
 };
 
-/// exp(ω) v = v + a ω × v + b ω × (ω × v), Rodrigues' formula.
+/// exp(ω) v = v + a ω × v + b ω × (ω × v), Rodrigues' formula: v rotated about ω by its length.
 template <class T>
-Vector<T, 3> turned(const Vector<T, 3>& omega, const Eigen::Vector3d& v) {
+Vector<T, 3> rotated(const Vector<T, 3>& omega, const Eigen::Vector3d& v) {
   const Rodrigues<T> by(omega.squaredNorm());
   const Vector<T, 3> once = omega.cross(v.cast<T>().eval());
   return v.cast<T>() + by.a * once + by.b * omega.cross(once);
 }
 
 /// ∂(exp(ω) v)/∂ω = −exp(ω) [v]× (I − b [ω]× + c [ω]×²), c = (1 − a) / θ².
-inline Eigen::Matrix3d turned_jacobian(const Eigen::Vector3d& omega, const Eigen::Vector3d& v) {
+inline Eigen::Matrix3d rotated_jacobian(const Eigen::Vector3d& omega, const Eigen::Vector3d& v) {
   const double square = omega.squaredNorm();
   const Rodrigues<double> by(square);
   const double c = square > by.kSmall ? (1 - by.a) / square : (1 - square / 20) / 6;
@@ -46,15 +42,9 @@ inline Eigen::Matrix3d turned_jacobian(const Eigen::Vector3d& omega, const Eigen
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d once = omega.cross(Eigen::Vector3d::Unit(i));
     const Eigen::Vector3d turn = Eigen::Vector3d::Unit(i) - by.b * once + c * omega.cross(once);
-    J.col(i) = turned<double>(omega, turn.cross(v));
+    J.col(i) = rotated<double>(omega, turn.cross(v));
   }
   return J;
-}
-
-/// ω = 0, t = 0 of every node.
-inline Unknowns rigid_rest(const DeformationGraph& graph) {
-  const auto m = graph.g.cols();
-  return Unknowns::uniform(Eigen::MatrixXd::Zero(3, 2 * m), static_cast<int>(m));
 }
 
 }  // namespace deformlab

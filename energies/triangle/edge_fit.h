@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// Igarashi et al. 2005, Eq. 12–16, one edge of one triangle: it becomes the edge of the triangle's
-/// fitted copy, wherever that lies.
+/// Igarashi et al. 2005, Eq. 12–16, one edge of one triangle: the edge equals that of the
+/// triangle's fitted copy, whose position does not matter.
 struct EdgeFit {
   static constexpr std::string_view kName = "edge_fit";
   static constexpr Structure kStructure = Structure::kKronecker;
@@ -22,8 +22,9 @@ struct EdgeFit {
 
   void set_targets(const Eigen::MatrixXd& corners) { fitted = corners.col(j) - corners.col(i); }
 
-  /// The three edges of every triangle, so twice those that two share; they fit the triangles at
-  /// rest until they are aimed at the 2×3·#F corners of fitted ones.
+  /// The three edges of every triangle, so that an edge between two triangles counts twice. Targets
+  /// are the 2×3·#F corners of the fitted triangles; until they are set, those of the shape at rest
+  /// take their place. One weight for each triangle.
   static Terms<EdgeFit> over(const Triangulation& mesh, const Eigen::VectorXd& weights) {
     Terms<EdgeFit> sum;
     for (int f = 0; f < mesh.F.cols(); ++f) {

@@ -5,17 +5,17 @@
 
 namespace deformlab {
 
-/// Igarashi et al. 2005, Eq. 9–11, one triangle: the triangle similar to the one at rest that fits
-/// the intermediate one best. Its unknowns are the first two corners, v0_fitted and v1_fitted; the
-/// third follows by Eq. 10. Scaled by the length at rest over the fitted one it becomes congruent
-/// (the printed factor is the inverse).
+/// Igarashi et al. 2005, Eq. 9–11, one triangle: the triangle that is similar to the one at rest
+/// and fits the intermediate one best. Its unknowns are the first two corners, v0_fitted and
+/// v1_fitted; the third follows by Eq. 10. It becomes congruent to the one at rest if it is scaled
+/// by the length at rest divided by the fitted length (the printed factor is the inverse).
 struct Fitting {
   static constexpr std::string_view kName = "fitting";
   static constexpr Structure kStructure = Structure::kLinear;
   static constexpr bool kZeroAtRest = true;
 
-  Eigen::Vector2d local;          ///< x01, y01: of corner 2 [length of edge 01]
-  Eigen::Vector3i corners;        ///< of the mesh: columns of the intermediate positions
+  Eigen::Vector2d local;          ///< x01, y01 of corner 2 [length of edge 01]
+  Eigen::Vector3i corners;        ///< vertices of the mesh: columns of the targets
   Eigen::Matrix<double, 2, 3> v;  ///< v_i', the intermediate triangle [length]
 
   template <class T>
@@ -34,8 +34,8 @@ struct Fitting {
 
   void set_targets(const Eigen::MatrixXd& intermediate) { v = intermediate(Eigen::all, corners); }
 
-  /// All triangles over nodes of their own, 2f and 2f + 1; they fit the shape at rest until they
-  /// are aimed at the 2×#V intermediate positions.
+  /// All triangles, each with the nodes 2f and 2f + 1. Targets are the 2×#V intermediate positions;
+  /// until they are set, the triangles fit the shape at rest. One weight for each triangle.
   static Terms<Fitting> over(const Triangulation& mesh, const Eigen::VectorXd& weights) {
     Terms<Fitting> sum;
     for (int f = 0; f < mesh.F.cols(); ++f) {
@@ -49,7 +49,7 @@ struct Fitting {
     return sum;
   }
 
-  /// v0 and v1 of every triangle at rest: 2·#F nodes of one column.
+  /// v0 and v1 of every triangle at rest: 2·#F nodes with one column each.
   static Unknowns rest(const Triangulation& mesh) {
     const int nodes = 2 * static_cast<int>(mesh.F.cols());
     return Unknowns::uniform(mesh.V(Eigen::all, mesh.F.topRows<2>().reshaped()), nodes);

@@ -8,8 +8,8 @@
 
 namespace deformlab {
 
-/// A handle that need be no vertex (Igarashi et al. 2005, section 3, leaves it open): the place
-/// with barycentric coordinates b in a triangle comes to its target q.
+/// A handle that is not necessarily a vertex (Igarashi et al. 2005, section 3, mention such handles
+/// without a formula): the point with barycentric coordinates b in a triangle is at its target q.
 struct PointConstraint {
   static constexpr std::string_view kName = "point_constraint";
   static constexpr Structure kStructure = Structure::kKronecker;
@@ -27,14 +27,14 @@ struct PointConstraint {
 
   void set_targets(const Eigen::MatrixXd& targets) { q = targets.col(l); }
 
-  /// Every place, held where it is at rest until it is aimed at a target. Each has three different
-  /// vertices.
+  /// All points, each of which has three different vertices. Until their targets are set, they stay
+  /// where they are at rest.
   static Terms<PointConstraint> over(const Triangulation& mesh,
-                                     const std::vector<BarycentricPoint>& places) {
+                                     const std::vector<BarycentricPoint>& points) {
     Terms<PointConstraint> sum;
-    for (int l = 0; l < std::ssize(places); ++l) {
-      const auto& [vertices, b] = places[l];
-      sum.add({b, l, places[l].at(mesh.V)}, {vertices[0], vertices[1], vertices[2]});
+    for (int l = 0; l < std::ssize(points); ++l) {
+      const auto& [vertices, b] = points[l];
+      sum.add({b, l, points[l].at(mesh.V)}, {vertices[0], vertices[1], vertices[2]});
     }
     return sum;
   }

@@ -7,8 +7,8 @@
 
 namespace deformlab {
 
-/// Igarashi et al. 2005, Eq. 1–4, one triangle: each corner against where the other two would have
-/// it, were the triangle only moved, turned and scaled.
+/// Igarashi et al. 2005, Eq. 1–4, one triangle: the difference between each corner and where it
+/// would be if the triangle were only moved, rotated and scaled so that the other two corners fit.
 struct Similarity {
   static constexpr std::string_view kName = "similarity";
   static constexpr Structure kStructure = Structure::kLinear;
@@ -26,15 +26,15 @@ struct Similarity {
     return r;
   }
 
-  /// Eq. 2: where corner c is desired, seen from the two that follow it. R90 is one quarter turn
-  /// here and in `over`; the printed matrix is its inverse.
+  /// Eq. 2: where corner c would be, given the two corners i and j that follow it. R90 is the same
+  /// quarter turn here and in `over`; the printed matrix is its inverse.
   template <class T>
   Vector<T, 2> desired(const Vector<T, 2>& i, const Vector<T, 2>& j, int c) const {
     const Vector<T, 2> ij = j - i, R90_ij(-ij.y(), ij.x());
     return i + local[c].x() * ij + local[c].y() * R90_ij;
   }
 
-  /// All triangles; `weights` has one a triangle (section 5.2). No edge may have length 0.
+  /// All triangles, with one weight for each (section 5.2). No edge may have length 0.
   static Terms<Similarity> over(const Triangulation& mesh, const Eigen::VectorXd& weights) {
     Terms<Similarity> sum;
     for (Eigen::Index f = 0; f < mesh.F.cols(); ++f) {

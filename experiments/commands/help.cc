@@ -137,8 +137,9 @@ std::string help_text() {
 std::string list_text() {
   std::string text = "Energy terms (name, default weight, structure):\n";
   for (const EnergyInfo& info : known_energies()) {
-    text += fmt::format("  {}  {}  {}\n", info.name, to_yaml_line(to_node(info.default_weight)),
-                        name_of(info.structure));
+    text +=
+        fmt::format("  {}  {}  {}{}\n", info.name, to_yaml_line(to_node(info.default_weight)),
+                    name_of(info.structure), info.for_rigid_nodes ? "" : ", not for rigid nodes");
   }
   return text + "\nOptions of embedded deformation:\n" +
          to_text(describe<EmbeddedDeformationOptions>());

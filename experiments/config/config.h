@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "energies/catalog.h"
 #include "experiments/config/config_node.h"
 
 /// An options struct describes its fields once, in whatever layer it lives and without this header:
@@ -29,7 +30,8 @@
 /// `visit.required(...)` is a field that a config must give. From the description follow
 /// read_config, to_node (and with to_yaml the resolved config) and describe.
 /// A field may be bool, int, std::uint64_t, double, std::string, std::filesystem::path,
-/// Eigen::Vector3d, std::map<std::string, double>, ConfigNode (kept raw), a struct with fields, a
+/// Eigen::Vector3d, std::map<std::string, double>, the settings of energy terms by their names,
+/// ConfigNode (kept raw), a struct with fields, a
 /// std::map of such structs by name, or a std::vector or std::optional of these; `choice` takes a
 /// std::string or an enumeration.
 namespace deformlab {
@@ -67,6 +69,10 @@ void read_value(const ConfigNode& node, const std::string& name, Eigen::Vector3d
 void read_value(const ConfigNode& node, const std::string& name,
                 std::map<std::string, double>& value);
 void read_value(const ConfigNode& node, const std::string& name, ConfigNode& value);
+/// By the names of energy terms: a number is the weight, a map holds `weight` and the options that
+/// the term declares. Values are merged into those that are there.
+void read_value(const ConfigNode& node, const std::string& name,
+                std::map<std::string, TermSettings>& value);
 
 /// Position in `allowed` of the text that the node holds.
 std::size_t read_choice(const ConfigNode& node, const std::string& name,
@@ -82,6 +88,10 @@ ConfigNode to_node(const std::filesystem::path& value);
 ConfigNode to_node(const Eigen::Vector3d& value);
 ConfigNode to_node(const std::map<std::string, double>& value);
 ConfigNode to_node(const ConfigNode& value);
+ConfigNode to_node(const std::map<std::string, TermSettings>& value);
+
+/// One line of help for each option that a term of the catalog declares: `name.TERM.OPTION`.
+void append_term_options(const std::string& name, std::vector<FieldHelp>& fields);
 
 // The visitors that the descriptions are shown to. `choice` takes the allowed names of a string, or
 // pairs {name, value} of an enumeration.
@@ -322,6 +332,9 @@ void FieldDescriber::operator()(const char* name, const T& value, const char* me
     fields.insert(fields.end(), nested.fields.begin(), nested.fields.end());
   } else {
     fields.push_back({full, to_yaml_line(to_node(value)), meaning});
+    if constexpr (std::same_as<T, std::map<std::string, TermSettings>>) {
+      append_term_options(full, fields);
+    }
   }
 }
 

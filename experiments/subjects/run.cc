@@ -158,7 +158,8 @@ void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& optio
   std::vector<std::string> names;
   for (const EnergyInfo& info : known_energies()) {
     names.push_back(info.name);
-    options.energies.try_emplace(info.name, info.default_weight);
+    std::optional<double>& weight = options.energies[info.name].weight;
+    if (!weight) weight = info.default_weight;
   }
   for (const char* map : {"energies", "losses"}) {
     if (const ConfigNode* by_name = root.find(map)) check_keys(*by_name, names, "energy");

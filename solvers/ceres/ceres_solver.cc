@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "energies/room.h"
 #include "geometry/core/error.h"
-#include "geometry/transfer/embedding.h"
 #include "solvers/linear/blas.h"
 #include "solvers/linear/one_thread.h"
 #include "solvers/stopwatch.h"
@@ -53,19 +53,19 @@ class ElementCost final : public ceres::CostFunction {
   }
 
   bool Evaluate(const double* const* x, double* residuals, double** jacobians) const override {
-    std::array<double, kMaxWidth> entries;  // what has no derivative may hold anything
-    std::fill_n(entries.begin(), energy_.jacobian_columns(), 0.0);
+    const int width = energy_.jacobian_columns();
+    Room<double, kUsualWidth> entries(width);  // entries without a derivative may have any value
+    std::fill_n(entries.data(), width, 0.0);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      std::copy_n(x[i], pieces_[i].count, entries.begin() + pieces_[i].first);
+      std::copy_n(x[i], pieces_[i].count, entries.data() + pieces_[i].first);
     }
-    std::array<const double*, kMaxNeighbors> nodes;
+    Room<const double*, kUsualWidth> nodes(energy_.arity());
     for (int a = 0, first = 0; a < energy_.arity(); first += read(a++)) {
-      nodes[a] = entries.data() + first;
+      nodes.data()[a] = entries.data() + first;
     }
     const bool differentiate = jacobians != nullptr && constant_.size() == 0;
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxResiduals, kMaxWidth>
-        J;
-    if (differentiate) J.resize(energy_.rows(), energy_.jacobian_columns());
+    Room<double, kMaxResiduals * kUsualWidth> derivatives(energy_.rows() * width);
+    Eigen::Map<Eigen::MatrixXd> J(derivatives.data(), energy_.rows(), width);
     energy_.evaluate(e_, nodes.data(), residuals, differentiate ? J.data() : nullptr);
     Eigen::Map<Eigen::VectorXd> r(residuals, energy_.rows());
     r *= scale_;
@@ -75,7 +75,7 @@ class ElementCost final : public ceres::CostFunction {
   }
 
  private:
-  static constexpr int kMaxWidth = 256;
+  static constexpr int kUsualWidth = 256;  // of a Jacobian; a wider one takes more time
 
   int read(int a) const { return energy_.dimension() * energy_.argument(a).count; }
 

@@ -228,7 +228,7 @@ TEST(EmbeddedDeformation, ASingleHandleTranslatesTheShape) {
     deformer.compile({{}, {112}});
     const Report report = deformer.update(target);
     EXPECT_EQ(report.solve.status, Status::kConverged) << method;
-    EXPECT_THAT(report.notes, Contains(HasSubstr("is held at one point only")));
+    EXPECT_THAT(report.notes, Contains(HasSubstr("is pinned at one point only")));
     const Eigen::Matrix3Xd& V = deformer.deformed().V;
     EXPECT_LT((V.col(112) - target).norm(), 1e-6) << method;
     EXPECT_LT(difference(V.colwise() - target, shape.V.colwise() - shape.V.col(112)), 1e-6)
@@ -242,7 +242,7 @@ TEST(EmbeddedDeformation, HandlesOnALineAreNoted) {
   EmbeddedDeformation deformer(shape, with_nodes(20));
   deformer.compile({{}, {0, 5, 14}});
   const Report report = deformer.update(at(shape, {0, 5, 14}));
-  EXPECT_THAT(report.notes, Contains(HasSubstr("is held on one line only")));
+  EXPECT_THAT(report.notes, Contains(HasSubstr("is pinned on one line only")));
 }
 
 TEST(EmbeddedDeformation, HandlesThatCannotMoveAreNoted) {

@@ -113,9 +113,9 @@ TEST(RotationModel, RefusesWhatDoesNotGoWithIt) {
   options.rotation_model = "quaternion";
   expect_refused(options, "unknown rotation_model 'quaternion'; known: affine, rigid");
   options = rigid();
-  options.energies["smoothness"] = 1;
-  expect_refused(options, "energies.smoothness is 1");
-  options.energies = {{"rotation", 5}, {"smoothness", 0}};
+  options.energies["orientation"] = 1;
+  expect_refused(options, "energies.orientation is 1");
+  options.energies = {{"rotation", 5}, {"orientation", 0}, {"smoothness", 1}};
   EmbeddedDeformation(tube(20), options);
 }
 

@@ -14,7 +14,7 @@ TEST(Catalog, MakesEveryTermThatItNames) {
   const auto sample = test::random_sample(10);
   ASSERT_FALSE(known_energies().empty());
   for (const EnergyInfo& info : known_energies()) {
-    const auto energy = make_energy(info.name, sample.graph, sample.handles);
+    const auto energy = make_energy(info.name, sample.context());
     EXPECT_EQ(energy->name(), info.name);
     EXPECT_EQ(energy->structure(), info.structure);
     EXPECT_GE(info.default_weight, 0);
@@ -30,7 +30,7 @@ TEST(Catalog, WeighsTheTermsOfEmbeddedDeformationAsThePaperDoes) {
 TEST(Catalog, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
   const auto sample = test::random_sample(10);
   try {
-    make_energy("rotaton", sample.graph, sample.handles);
+    make_energy("rotaton", sample.context());
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("'rotaton'"));
@@ -59,7 +59,7 @@ TEST(RegularizationTerm, IsEquation7) {
 
 TEST(ConstraintTerm, MeasuresTheWayToTheTarget) {
   const auto sample = test::random_sample(10);
-  const auto energy = make_energy("constraint", sample.graph, sample.handles);
+  const auto energy = make_energy("constraint", sample.context());
   const Eigen::Vector3d way(1, -2, 0.5);
   energy->set_targets(sample.handles.v.colwise() + way);
   Eigen::Matrix3Xd r(3, energy->size());

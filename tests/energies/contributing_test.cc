@@ -1,21 +1,34 @@
-// Extracted from CONTRIBUTING.md when the tests are configured.
-#include "energies/volume.h"
-#include "tests/energies/laws_suite.h"
+// The term and the list of terms are made from CONTRIBUTING.md when the tests are configured, so
+// that the law tests and the catalog of this program have the term too.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "energies/all.h"
+#include "energies/catalog.h"
+#include "tests/support/samples.h"
 
 namespace deformlab::test {
 namespace {
 
-template <class List, class Term>
-struct With;
-template <class... All, class Term>
-struct With<TermList<All...>, Term> {
-  using List = TermList<All..., Term>;
-};
+TEST(VolumeTerm, IsInTheCatalogAfterAllOthers) {
+  std::vector<std::string> names;
+  for (const EnergyInfo& info : known_energies()) names.push_back(info.name);
+  names.resize(6);  // without terms that other tests register
+  EXPECT_THAT(names, ::testing::ElementsAre("rotation", "regularization", "constraint",
+                                            "smoothness", "orientation", "volume"));
+  EXPECT_EQ(energy_info("volume").default_weight, 0);
+  EXPECT_EQ(energy_info("volume").structure, Structure::kNonlinear);
+  EXPECT_FALSE(energy_info("volume").for_rigid_nodes);
+}
 
-template <int d>
-using AllAndVolume = typename MembersOf<typename With<GraphTerms<d>, Volume<d>>::List>::Types;
-INSTANTIATE_TYPED_TEST_SUITE_P(InSpaceWithVolume, Laws, AllAndVolume<3>, TermNames);
-INSTANTIATE_TYPED_TEST_SUITE_P(InThePlaneWithVolume, Laws, AllAndVolume<2>, TermNames);
+TEST(VolumeTerm, IsMadeInSpaceAndInThePlane) {
+  const Sample sample = random_sample(10);
+  for (const int d : {2, 3}) {
+    const auto energy = make_energy("volume", sample.context(d));
+    EXPECT_EQ(energy->dimension(), d);
+    EXPECT_EQ(energy->size(), sample.nodes());
+  }
+}
 
 TEST(VolumeTerm, SeesAReflectionThatRotationDoesNot) {
   const Eigen::Matrix3d mirror = Eigen::Vector3d(1, 1, -1).asDiagonal();

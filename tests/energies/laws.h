@@ -10,45 +10,53 @@
 #include <vector>
 
 #include "energies/term_energy.h"
+#include "energies/term_options.h"
 #include "tests/support/samples.h"
 #include "tests/support/sparse_system.h"
 
-// The laws that every term is held to. Each is a function, so that a test can show it a term that
-// breaks the law.
+// The laws that every term has to obey. Each is a function, so that a test can show that it finds a
+// term which breaks the law.
 namespace deformlab::test {
 
 using ::testing::AssertionFailure;
 using ::testing::AssertionResult;
 using ::testing::AssertionSuccess;
 
-/// Any term's sum, whatever its `over` takes.
+/// The node model of a term over a graph; void for other terms.
+template <class Term>
+struct ModelOf {
+  using Type = void;
+};
+template <template <class> class Term, class Node>
+struct ModelOf<Term<Node>> {
+  using Type = Node;
+};
+
+/// The sum of any term, whatever its `over` takes.
 template <class Term>
 Terms<Term> sum_over(const Sample& sample) {
-  if constexpr (requires { Term::over(sample.graph, sample.handles); }) {
-    return Term::over(sample.graph, sample.handles);
+  if constexpr (HasOptions<Term>) {
+    return Term::over(sample.context(), typename Term::Options{});
+  } else if constexpr (requires { Term::over(sample.context()); }) {
+    return Term::over(sample.context());
   } else if constexpr (requires { Term::over(sample.mesh, sample.weights); }) {
     return Term::over(sample.mesh, sample.weights);
-  } else if constexpr (requires { Term::over(sample.mesh, sample.places); }) {
-    return Term::over(sample.mesh, sample.places);
   } else {
-    return Term::over(sample.graph);
+    return Term::over(sample.mesh, sample.points);
   }
 }
 
-/// The rest state of what the term is summed over: a graph's transformations, or the vertices of a
-/// triangulation where the term does not name other nodes.
+/// The rest state of what the term is summed over: the nodes of a graph, or the vertices of a
+/// triangulation unless the term has nodes of its own.
 template <class Term>
 Unknowns rest_of(const Sample& sample) {
-  if constexpr (requires { Term::rest(sample.mesh); }) {
+  using Node = typename ModelOf<Term>::Type;
+  if constexpr (!std::is_void_v<Node>) {
+    return sample.rest<Node>();
+  } else if constexpr (requires { Term::rest(sample.mesh); }) {
     return Term::rest(sample.mesh);
-  } else if constexpr (requires { Term::rest(sample.graph); }) {
-    return Term::rest(sample.graph);
-  } else if constexpr (
-      requires { Term::over(sample.mesh, sample.weights); } ||
-      requires { Term::over(sample.mesh, sample.places); }) {
-    return Unknowns::uniform(sample.mesh.V, static_cast<int>(sample.mesh.V.cols()));
   } else {
-    return sample.rest(TermEnergy<Term>(Terms<Term>{}).dimension());
+    return Unknowns::uniform(sample.mesh.V, static_cast<int>(sample.mesh.V.cols()));
   }
 }
 
@@ -64,7 +72,7 @@ inline std::vector<const double*> pointers(const Energy& energy, const Unknowns&
   return result;
 }
 
-/// All residuals and all Jacobians; what is not written stays NaN.
+/// All residuals and all Jacobians. An entry that the term does not write stays NaN.
 inline Eigen::VectorXd residuals(const Energy& energy, const Unknowns& x) {
   Eigen::VectorXd r = Eigen::VectorXd::Constant(energy.rows() * energy.size(), NAN);
   energy.residuals(x, r.data());
@@ -96,7 +104,7 @@ inline Eigen::MatrixXd differences(const Energy& energy, const Unknowns& x, int 
   return J;
 }
 
-/// Jets, the term's own derivative where it has one, and differences say the same.
+/// Automatic differentiation, the term's own derivative if it has one, and differences agree.
 template <class Term>
 AssertionResult derivatives_agree(Terms<Term> sum, const Unknowns& x) {
   std::fill(sum.weights.begin(), sum.weights.end(), 1);  // which jets() does not apply
@@ -122,8 +130,8 @@ inline AssertionResult zero_at_rest(const Energy& energy, const Unknowns& rest) 
   return AssertionFailure() << "a residual at rest is " << largest;
 }
 
-/// The state that a rigid motion p → Q p + c of all space makes of x: a graph's transformations
-/// (d + 1 columns a node), or vertices.
+/// x after a rigid motion p → Q p + c of all space. The nodes of x are vertices (one column), rigid
+/// nodes (two columns), or affine ones.
 inline Unknowns moved(Unknowns x, const Eigen::Matrix3Xd& nodes, const Eigen::MatrixXd& Q,
                       const Eigen::VectorXd& c) {
   const int d = x.dimension();
@@ -131,7 +139,15 @@ inline Unknowns moved(Unknowns x, const Eigen::Matrix3Xd& nodes, const Eigen::Ma
     auto node = x.X.middleCols(x.first[j], x.columns(j));
     Eigen::VectorXd g = Eigen::VectorXd::Zero(d);
     if (x.columns(j) > 1) g = nodes.col(j).head(d);
-    node = (Q * node).eval();
+    if (x.columns(j) == 2) {
+      const Eigen::Vector3d omega = node.col(0);
+      const Eigen::AngleAxisd turn(
+          Eigen::Matrix3d(Q * Eigen::AngleAxisd(omega.norm(), omega.stableNormalized()).matrix()));
+      node.col(0) = turn.angle() * turn.axis();
+      node.col(1) = (Q * node.col(1)).eval();
+    } else {
+      node = (Q * node).eval();
+    }
     node.rightCols<1>() += Q * g + c - g;
   }
   return x;
@@ -162,7 +178,7 @@ inline bool is_kronecker(const Energy& energy, const Eigen::MatrixXd& J) {
   return true;
 }
 
-/// r = X a − b by what a Kronecker term says of a and b.
+/// r = X a − b with the a and b that a Kronecker term gives.
 inline AssertionResult has_its_coefficients(const Energy& energy, const Unknowns& x) {
   const int d = energy.dimension();
   Eigen::MatrixXd a(energy.jacobian_columns() / d, energy.size()), b(d, energy.size());
@@ -181,7 +197,7 @@ inline AssertionResult has_its_coefficients(const Energy& energy, const Unknowns
   return AssertionFailure() << "r is not X a − b";
 }
 
-/// The declared structure holds between two states, and is not weaker than it could be.
+/// The declared structure is that of two states, and no stronger one could be declared.
 inline AssertionResult has_declared_structure(const Energy& energy, const Unknowns& x,
                                               const Unknowns& y) {
   const Eigen::MatrixXd J = jacobians(energy, x);
@@ -229,7 +245,7 @@ AssertionResult order_does_not_matter(const Terms<Term>& sum, const Unknowns& x)
   return AssertionFailure() << "another order of elements gives another E, JᵀJ or Jᵀr";
 }
 
-/// Everything is written, and with finite numbers.
+/// Every entry is written, and with a finite number.
 inline AssertionResult all_written_and_finite(const Energy& energy, const Unknowns& x) {
   if (!residuals(energy, x).allFinite()) return AssertionFailure() << "a residual is not finite";
   if (!jacobians(energy, x).allFinite()) return AssertionFailure() << "a derivative is not finite";

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
 #include "energies/all.h"
+#include "energies/register_energy.h"
 #include "tests/energies/laws.h"
 
 // The laws as one suite, for any list of terms. No term is named here.
@@ -19,6 +24,23 @@ template <class... Term>
 struct MembersOf<TermList<Term...>> {
   using Types = ::testing::Types<Member<Term, TermList<Term...>>...>;
 };
+
+/// The terms of a list over one node model, without those that are not defined for it.
+template <class Node, class List>
+struct TermsOver;
+template <class Node, template <class> class... Term>
+struct TermsOver<Node, GraphTermList<Term...>> {
+  template <class... T>
+  static TermList<T...> list(const std::tuple<T...>&);
+  using List = decltype(list(
+      std::tuple_cat(std::declval<std::conditional_t<fits<Term<Node>, Node>(),
+                                                     std::tuple<Term<Node>>, std::tuple<>>>()...)));
+};
+
+/// What a law test of all terms over one node model is instantiated with. For a term of your own,
+/// instantiate the suite with OverNodes<Node, GraphTermList<YourTerm>>.
+template <class Node, class List = GraphTerms>
+using OverNodes = typename MembersOf<typename TermsOver<Node, List>::List>::Types;
 
 /// Names a member's tests after its term.
 struct TermNames {
@@ -59,7 +81,7 @@ TYPED_TEST_P(Laws, HasElements) {
     const TermEnergy<Term> energy(sum_over<Term>(sample));
     EXPECT_GT(energy.size(), 0);
     EXPECT_EQ(energy.name(), Term::kName);
-    EXPECT_EQ(energy.structure(), Term::kStructure);
+    EXPECT_EQ(energy.structure(), deformlab::structure_of<Term>());
   }
 }
 

@@ -3,12 +3,12 @@
 namespace deformlab::test {
 namespace {
 
-INSTANTIATE_TYPED_TEST_SUITE_P(InSpace, Laws, MembersOf<GraphTerms<3>>::Types, TermNames);
-INSTANTIATE_TYPED_TEST_SUITE_P(InThePlane, Laws, MembersOf<GraphTerms<2>>::Types, TermNames);
-INSTANTIATE_TYPED_TEST_SUITE_P(OfRigidNodes, Laws, MembersOf<RigidTerms>::Types, TermNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(InSpace, Laws, OverNodes<AffineNode<3>>, TermNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(InThePlane, Laws, OverNodes<AffineNode<2>>, TermNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(OfRigidNodes, Laws, OverNodes<RigidNode>, TermNames);
 INSTANTIATE_TYPED_TEST_SUITE_P(OverTriangles, Laws, MembersOf<TriangleTerms>::Types, TermNames);
 
-// What follows breaks one law each: the laws must notice.
+// Each of these terms breaks one law, which the law has to find.
 template <Structure structure>
 struct Squared {  // r = c1 + c2 ∘ c2
   static constexpr std::string_view kName = "squared";

@@ -10,16 +10,17 @@ TEST(RotationVector, IsTheRotationByItsLength) {
   const Eigen::Vector3d axis = Eigen::Vector3d(1, -2, 0.5).normalized(), v(0.3, 2, -1);
   for (const double angle : {0.0, 1e-9, 1e-3, 0.0099, 0.0101, 1.0, 3.1, 6.2, 20.0}) {
     const Eigen::Vector3d expected = Eigen::AngleAxisd(angle, axis) * v;
-    EXPECT_LT((turned<double>(angle * axis, v) - expected).norm(), 1e-14 * (1 + angle)) << angle;
+    EXPECT_LT((rotated<double>(angle * axis, v) - expected).norm(), 1e-14 * (1 + angle)) << angle;
   }
 }
 
 TEST(RotationVector, DerivativesAgreeOnBothSidesOfTheSeries) {
   const Sample sample = random_sample(9, 2, 7);
   for (const double scale : {1e-9, 1e-3, 0.005, 0.02}) {
-    const Unknowns x = perturbed(rigid_rest(sample.graph), scale, 4);
-    EXPECT_TRUE(derivatives_agree(sum_over<RigidRegularization>(sample), x)) << scale;
-    EXPECT_TRUE(derivatives_agree(sum_over<RigidConstraint>(sample), x)) << scale;
+    const Unknowns x = perturbed(sample.rest<RigidNode>(), scale, 4);
+    EXPECT_TRUE(derivatives_agree(sum_over<Regularization<RigidNode>>(sample), x)) << scale;
+    EXPECT_TRUE(derivatives_agree(sum_over<Constraint<RigidNode>>(sample), x)) << scale;
+    EXPECT_TRUE(derivatives_agree(sum_over<Smoothness<RigidNode>>(sample), x)) << scale;
   }
 }
 
@@ -34,20 +35,19 @@ Unknowns affine(const Unknowns& rigid) {
   return x;
 }
 
-template <class Rigid, class Affine>
+template <template <class> class Term>
 void expect_same(const Sample& sample) {
-  const Unknowns x = perturbed(rigid_rest(sample.graph), 1, 5);
-  const TermEnergy<Rigid> rigid(sum_over<Rigid>(sample));
-  const TermEnergy<Affine> other(sum_over<Affine>(sample));
+  const Unknowns x = perturbed(sample.rest<RigidNode>(), 1, 5);
+  const TermEnergy<Term<RigidNode>> rigid(sum_over<Term<RigidNode>>(sample));
+  const TermEnergy<Term<AffineNode<3>>> other(sum_over<Term<AffineNode<3>>>(sample));
   EXPECT_LT(relative_difference(residuals(rigid, x), residuals(other, affine(x))), 1e-13);
-  EXPECT_EQ(Rigid::kName, Affine::kName);
-  EXPECT_EQ(Rigid::kWeight, Affine::kWeight);
 }
 
 TEST(RotationVector, ItsTermsAreTheAffineOnesAtRotations) {
   const Sample sample = random_sample(12, 4, 1);
-  expect_same<RigidRegularization, Regularization<3>>(sample);
-  expect_same<RigidConstraint, Constraint<3>>(sample);
+  expect_same<Regularization>(sample);
+  expect_same<Constraint>(sample);
+  expect_same<Smoothness>(sample);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Extracted from CONTRIBUTING.md when the tests are configured.
 #include "energies/term_energy.h"
-#include "energies/volume.h"
+#include "energies/graph/volume.h"
 #include "tests/solvers/ladder.h"
 
 namespace deformlab::test {
@@ -9,8 +9,7 @@ namespace {
 Problem plate_that_keeps_its_volume() {
   const Sample sample = random_sample(40);
   Problem problem = make_problem(sample, twisted(sample.handles, 0.4, 0.3));
-  problem.terms.push_back(
-      {std::make_unique<TermEnergy<Volume<>>>(Volume<>::over(sample.graph)), 5});
+  problem.terms.push_back({to_energy(Volume<>::over(sample.context())), 5});
   return problem;
 }
 

@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include "energies/graph/rotation_vector.h"
 #include "geometry/core/error.h"
 #include "tests/solvers/ladder.h"
 
@@ -13,10 +12,11 @@ constexpr double kTight = 1e-12;
 Problem rigid_plate(int m) {
   const Sample sample = random_sample(m, 4, 1);
   const Eigen::Matrix3Xd targets = twisted(sample.handles, 0.4, 0.3);
-  Problem problem{rigid_rest(sample.graph), std::vector<char>(m, 0), {}};
-  for (const EnergyInfo& info : known_rigid_energies()) {
+  Problem problem{sample.rest<RigidNode>(), std::vector<char>(m, 0), {}};
+  for (const EnergyInfo& info : known_energies()) {
+    if (!info.for_rigid_nodes || info.default_weight == 0) continue;
     problem.terms.push_back(
-        {make_rigid_energy(info.name, sample.graph, sample.handles), info.default_weight});
+        {make_energy(info.name, sample.context(3, NodeModel::kRigid)), info.default_weight});
     problem.terms.back().energy->set_targets(targets);
   }
   return problem;

@@ -13,19 +13,18 @@
 
 namespace deformlab::test {
 
-/// All terms that have a weight by default, at rest, with the handles aimed at `targets`.
+/// All terms that have a weight by default, at rest, with these targets of the handles.
 inline Problem make_problem(const Sample& sample, const Eigen::Matrix3Xd& targets) {
   Problem problem{sample.rest(), std::vector<char>(sample.nodes(), 0), {}};
   for (const EnergyInfo& info : known_energies()) {
     if (info.default_weight == 0) continue;
-    problem.terms.push_back(
-        {make_energy(info.name, sample.graph, sample.handles), info.default_weight});
+    problem.terms.push_back({make_energy(info.name, sample.context()), info.default_weight});
     problem.terms.back().energy->set_targets(targets);
   }
   return problem;
 }
 
-/// A plate of m nodes that is twisted and lifted at one end, moderately: every solver can.
+/// A plate of m nodes that is twisted and lifted at one end so little that every solver succeeds.
 inline Problem twisted_plate(int m, unsigned seed = 1) {
   const Sample sample = random_sample(m, 4, seed);
   return make_problem(sample, twisted(sample.handles, 0.4, 0.3));

@@ -5,8 +5,9 @@
 #include <random>
 #include <vector>
 
+#include "energies/graph/context.h"
+#include "energies/graph/nodes.h"
 #include "energies/unknowns.h"
-#include "geometry/graph/deformation_graph.h"
 #include "geometry/plane/barycentric_point.h"
 #include "geometry/plane/triangulation.h"
 #include "geometry/transfer/transfer.h"
@@ -14,24 +15,29 @@
 
 namespace deformlab::test {
 
-/// What terms are summed over: a deformation graph and handles embedded in it, a triangulation and
-/// a weight for each of its triangles, and places in it.
+/// What terms are summed over: a deformation graph, the shape and handles embedded in it, and a
+/// triangulation with a weight for each of its triangles and points in it.
 struct Sample {
   DeformationGraph graph;
   Embedding handles;
+  Shape shape;
+  Embedding vertices;
   Triangulation mesh;
   Eigen::VectorXd weights;
-  std::vector<BarycentricPoint> places;
+  std::vector<BarycentricPoint> points;
 
   int nodes() const { return static_cast<int>(graph.g.cols()); }
-  /// R_j = I, t_j = 0, in d dimensions.
-  Unknowns rest(int d = 3) const {
-    Eigen::MatrixXd I = Eigen::MatrixXd::Identity(d, d + 1);
-    return Unknowns::uniform(I.replicate(1, nodes()), nodes());
+  GraphContext context(int d = 3, NodeModel model = NodeModel::kAffine) const {
+    return {graph, handles, model, d, shape, vertices, 1};
+  }
+  /// All nodes at rest.
+  template <class Node = AffineNode<3>>
+  Unknowns rest() const {
+    return Unknowns::uniform(Node::rest().replicate(1, nodes()), nodes());
   }
 };
 
-/// n×n vertices over [0, 3]², somewhat shaken, and two triangles between four of them.
+/// n×n vertices over [0, 3]², moved a little at random, and two triangles between four of them.
 inline Triangulation shaken_grid(int n, unsigned seed = 1) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> shake(-0.2, 0.2);
@@ -48,11 +54,12 @@ inline Triangulation shaken_grid(int n, unsigned seed = 1) {
   return mesh;
 }
 
-/// The nodes `g`, joined over the points `v`; those in the first and the last tenth along x are the
-/// handles. Everything is in units of the mean edge.
+/// The nodes `g`, connected by the points `v`. The points in the first and the last tenth along x
+/// are the handles. Everything is in units of the mean edge.
 inline Sample make_sample(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, int k) {
   const Embedding shape = embed(v, g, k);
-  Sample sample{connect(g, shape, "overlap"), {}, {}, {}, {}};
+  Sample sample;
+  sample.graph = connect(g, shape, "overlap");
   const double low = v.row(0).minCoeff(), high = v.row(0).maxCoeff();
   std::vector<int> ends;
   for (int i = 0; i < v.cols(); ++i) {
@@ -63,21 +70,25 @@ inline Sample make_sample(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, 
   const double unit = mean_edge_length(sample.graph);
   sample.graph.g /= unit;
   sample.handles.v /= unit;
+  sample.vertices = shape;
+  sample.vertices.v /= unit;
+  sample.shape.V = sample.vertices.v;
   return sample;
 }
 
-/// m nodes at random in a thick plate, with 15 points a node.
+/// m nodes at random in a thick plate, with 15 points for each node.
 inline Sample random_sample(int m, int k = 4, unsigned seed = 1) {
   const Eigen::Vector3d size(3, 1, 0.3);
   Sample sample =
       make_sample(random_points(m, size, seed), random_points(15 * m, size, seed + 1), k);
   sample.mesh = shaken_grid(4, seed);
   sample.weights = Eigen::VectorXd::LinSpaced(sample.mesh.F.cols(), 0.5, 3);
-  for (const int f : {0, 3, 7}) sample.places.push_back({sample.mesh.F.col(f), {0.2, 0.3, 0.5}});
+  for (const int f : {0, 3, 7}) sample.points.push_back({sample.mesh.F.col(f), {0.2, 0.3, 0.5}});
   return sample;
 }
 
-/// Where the handles go: the upper half along x turns by `angle` about x and rises by `lift`.
+/// Targets of the handles: the upper half along x is rotated by `angle` about x and lifted by
+/// `lift`.
 inline Eigen::Matrix3Xd twisted(const Embedding& handles, double angle, double lift) {
   const Eigen::Matrix3d Q = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).matrix();
   const double middle = (handles.v.row(0).minCoeff() + handles.v.row(0).maxCoeff()) / 2;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "deformers/embedded/reflections.h"
+#include "deformers/embedded/node_states.h"
 
 namespace deformlab {
 namespace {
@@ -30,7 +30,7 @@ void StreamMeasurements::add(const StreamDeformation& stream, ParticleFrame rows
                              const Eigen::Matrix3Xd& edited) {
   std::unordered_map<std::int64_t, Particle> now;
   double carried = 0;
-  const Eigen::Matrix3Xd turns = stream.turns(places_of(rows));
+  const Eigen::Matrix3Xd turns = stream.rotations(places_of(rows));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(i);
     const Particle particle{rows[i].place, edited.col(column),

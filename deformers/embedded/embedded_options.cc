@@ -1,0 +1,134 @@
+#include "deformers/embedded/embedded_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "energies/graph/rotation.h"
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kMostUnits = 1e9;  // of length_unit in a mean edge, and of mean edges in it
+
+void check_losses(const EmbeddedDeformationOptions& options) {
+  for (const auto& [name, loss] : options.losses) {
+    energy_info(name);
+    make_loss(loss, "losses." + name);
+  }
+}
+
+void check_extra_terms(const EmbeddedDeformationOptions& options) {
+  for (std::size_t i = 0; i < options.extra_terms.size(); ++i) {
+    const ExtraTerm& term = options.extra_terms[i];
+    const std::string name = fmt::format("extra_terms[{}]", i);
+    if (!term.make) throw InputError(name + " has no function that makes it");
+    if (!(term.weight >= 0 && std::isfinite(term.weight))) {
+      throw InputError(fmt::format("the weight of {} is {}; a weight is a number of 0 or more",
+                                   name, term.weight));
+    }
+    make_loss(term.loss, name + ".loss");
+  }
+}
+
+void check_reflections(const std::string& name) {
+  if (name == "report" || name == "repair") return;
+  throw InputError(fmt::format("unknown reflections '{}'; known: report, repair", name));
+}
+
+// E_rot of a rotation is zero, whatever its weight. Every other term has to exist for rigid nodes.
+void check_rotation_model(const EmbeddedDeformationOptions& o) {
+  if (o.rotation_model == "affine") return;
+  if (o.rotation_model != "rigid") {
+    throw InputError(
+        fmt::format("unknown rotation_model '{}'; known: affine, rigid", o.rotation_model));
+  }
+  if (o.dimension != 3) {
+    throw InputError(fmt::format(
+        "rotation_model is rigid, which is for shapes in space, but dimension is {}; use "
+        "rotation_model: affine",
+        o.dimension));
+  }
+  for (const auto& [name, settings] : o.energies) {
+    const double weight = settings.weight.value_or(0);
+    if (energy_info(name).for_rigid_nodes || weight == 0 || name == Rotation<>::kName) continue;
+    throw InputError(fmt::format(
+        "energies.{} is {}, but rotation_model: rigid has no such term; make it 0, or use "
+        "rotation_model: affine",
+        name, weight));
+  }
+}
+
+std::shared_ptr<const ceres::LossFunction> loss_of(const EmbeddedDeformationOptions& options,
+                                                   const std::string& name) {
+  const auto named = options.losses.find(name);
+  if (named == options.losses.end()) return nullptr;
+  return make_loss(named->second, "losses." + name);
+}
+
+}  // namespace
+
+void check(const EmbeddedDeformationOptions& options, const Shape& rest) {
+  check_settings(options.energies);
+  check_losses(options);
+  check_extra_terms(options);
+  check_dimension(options.dimension, rest);
+  check_reflections(options.reflections);
+  check_rotation_model(options);
+  if (options.graph.adaptive.start != 0) {
+    throw InputError(
+        fmt::format("graph.adaptive.start is {}, but this graph is made once and stays, as that of "
+                    "an animation "
+                    "does; make it 0",
+                    options.graph.adaptive.start));
+  }
+}
+
+void check_dimension(int d, const Shape& rest) {
+  if (d != 2 && d != 3) {
+    throw InputError(fmt::format("dimension is {}; it is 3, or 2 for a flat shape", d));
+  }
+  if (d == 2 && rest.V.cols() > 0 && rest.V.row(2).maxCoeff() > rest.V.row(2).minCoeff()) {
+    throw InputError("dimension is 2, but z differs over the shape; use 3, or flatten it");
+  }
+}
+
+double length_unit(const std::string& text, const DeformationGraph& graph) {
+  if (text == "mean_edge") return mean_edge_length(graph);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool positive = error == std::errc() && end == text.data() + text.size() && value > 0;
+  if (!positive || !std::isfinite(value)) {
+    throw InputError(
+        fmt::format("length_unit is '{}'; it is mean_edge or a positive number", text));
+  }
+  const double edge = mean_edge_length(graph);
+  if (value >= edge / kMostUnits && value <= edge * kMostUnits) return value;
+  throw InputError(fmt::format(
+      "length_unit is '{}', but the mean edge of the graph is {:g}; choose one within a factor of "
+      "{:g} of it",
+      text, edge, kMostUnits));
+}
+
+std::vector<WeightedEnergy> make_terms(const EmbeddedDeformationOptions& options,
+                                       const GraphContext& context) {
+  std::vector<WeightedEnergy> terms;
+  for (const EnergyInfo& info : known_energies()) {
+    const auto named = options.energies.find(info.name);
+    const TermSettings settings = named != options.energies.end() ? named->second : TermSettings{};
+    const double weight = settings.weight.value_or(info.default_weight);
+    const bool exists = context.model == NodeModel::kAffine || info.for_rigid_nodes;
+    if (!(weight > 0) || !exists) continue;
+    terms.push_back(
+        {make_energy(info.name, context, settings.options), weight, loss_of(options, info.name)});
+  }
+  for (const ExtraTerm& extra : options.extra_terms) {
+    if (!(extra.weight > 0)) continue;
+    terms.push_back({extra.make(context), extra.weight, make_loss(extra.loss, "extra term")});
+  }
+  return terms;
+}
+
+}  // namespace deformlab
