@@ -58,12 +58,16 @@ struct EmbeddedDeformationOptions {
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("graph", o.graph, "the deformation graph");
-    visit("energies", o.energies, "weight of each energy term; one not named has its default");
-    visit("losses", o.losses, "of energy terms: less pull of residuals that cannot become small");
+    visit("energies", o.energies,
+          "weight of each energy term, or a map of its weight and its options; a term that is not "
+          "named has its default weight");
+    visit("losses", o.losses,
+          "loss of an energy term, which limits the pull of residuals that cannot become small");
     visit("length_unit", o.length_unit, "mean_edge, or a number in the shape's own unit");
     visit("dimension", o.dimension, "3, or 2 for a shape in the plane, such as a drawing");
     visit.choice("reflections", o.reflections, {"report", "repair"},
-                 "nodes where space is turned inside out: say so, or turn them back and solve on");
+                 "nodes that turn space inside out are counted in the report, or turned back "
+                 "before the solver goes on");
     visit.choice("rotation_model", o.rotation_model, {"affine", "rigid"},
                  "a node's unknowns: R_j and t_j, or a rotation vector and t_j (no E_rot)");
     visit("solver", o.solver, "how the energy is minimised");
