@@ -5,6 +5,7 @@
 // A node is one pose, a column (x, y, θ). An element is one measurement between two of them.
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -202,7 +202,7 @@ TEST(OwnTerm, IsRegisteredOnceWithItsOptions) {
     EXPECT_EQ(energy->nodes(0)[0], 5);
     Eigen::VectorXd b(d);
     energy->offsets(b.data());
-    EXPECT_EQ(b, Eigen::VectorXd::Constant(d, -3));
+    EXPECT_EQ(b, Eigen::VectorXd::Constant(d, 3));
   }
 }
 
