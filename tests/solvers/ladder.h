@@ -27,16 +27,16 @@ inline CeresSystem ceres_system(const Problem& problem, const Unknowns& x,
   solver.compile(problem);
   solver.x().X = x.X;
   std::vector<double*> all;
-  solver.sample().GetParameterBlocks(&all);
+  solver.problem().GetParameterBlocks(&all);
   std::sort(all.begin(), all.end());  // all lie in x().X: now in its order
   ceres::Problem::EvaluateOptions options;
   for (double* block : all) {
-    const bool fixed = solver.sample().IsParameterBlockConstant(block);
+    const bool fixed = solver.problem().IsParameterBlockConstant(block);
     if (!fixed) options.parameter_blocks.push_back(block);
   }
   std::vector<double> r, gradient;
   ceres::CRSMatrix crs;
-  solver.sample().Evaluate(options, nullptr, &r, &gradient, &crs);
+  solver.problem().Evaluate(options, nullptr, &r, &gradient, &crs);
   const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> J(
       crs.num_rows, crs.num_cols, std::ssize(crs.values), crs.rows.data(), crs.cols.data(),
       crs.values.data());
