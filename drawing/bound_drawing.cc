@@ -58,7 +58,8 @@ Page BoundDrawing::page_for(const Eigen::Matrix2Xd& V, double step) const {
       extend(drawing_.paths[i].outlines.curves[c].points, moved[i].outlines.curves[c].points, page,
              reach);
   }
-  if (texture_) extend(texture_->rim_at_rest(), texture_->rim(V), page, reach);
+  if (texture_)
+    extend(texture_->square_corners_at_rest(), texture_->square_corners(V), page, reach);
   const auto grown = [&](const Eigen::Vector2d& by) -> Eigen::Vector2d {
     return (by.array() > kTouching * step).select((by.array() / step + beyond).ceil() * step, 0.0);
   };

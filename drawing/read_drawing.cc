@@ -3,8 +3,8 @@
 
 #include "drawing/binding.h"
 #include "drawing/bitmap/background.h"
+#include "drawing/bitmap/region_pixels.h"
 #include "drawing/drawing.h"
-#include "drawing/kept_part.h"
 #include "drawing/paint.h"
 #include "drawing/vector/curves.h"
 #include "drawing/vector/read_svg.h"
@@ -44,7 +44,7 @@ Drawing read_bitmap(const fs::path& path, const DrawingOptions& options) {
   const Silhouette found = trace(alpha_of(bitmap), options.trace, path.string());
   note_the_rest(found, drawing.notes);
   drawing.region = found.region;
-  if (found.left_out > 0) keep_only(drawing.region, options.trace.threshold, bitmap);
+  if (found.left_out > 0) clear_outside(drawing.region, options.trace.threshold, bitmap);
   drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(bitmap.width, bitmap.height)};
   drawing.bitmap = std::move(bitmap);
   return drawing;
@@ -137,8 +137,8 @@ Page page_around(const Eigen::Matrix2Xd& points) {
 VectorPath outlined(Curve curve, const Page& page) {
   VectorPath path;
   path.outlines.curves.push_back(std::move(curve));
-  path.fill = plain(kFill);
-  path.stroke = plain(kLine);
+  path.fill = one_color(kFill);
+  path.stroke = one_color(kLine);
   path.stroke_width = kLineWidth * page.diagonal().norm();
   path.join = VectorPath::Join::kRound;
   return path;

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <nanoflann.hpp>
 #include <numbers>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/core/error.h"
+#include "geometry/core/median.h"
 #include "render/color.h"
 
 namespace deformlab {
@@ -47,9 +48,7 @@ double typical_spacing(const Eigen::Matrix3Xd& P) {
     if (nearest != squared + found) spacings.push_back(std::sqrt(*nearest));
   }
   if (spacings.empty()) return 0;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return median(std::move(spacings));
 }
 
 bool any_area(const Eigen::Matrix3Xd& P, const Eigen::Matrix3Xi& triangles) {

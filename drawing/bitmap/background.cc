@@ -1,44 +1,44 @@
 #include "drawing/bitmap/background.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "geometry/core/files.h"
+#include "geometry/core/median.h"
 
 namespace deformlab {
 namespace {
 
-struct BarycentricPoint {
+struct Pixel {
   int x, y;
 };
 
-std::vector<BarycentricPoint> border(const Bitmap& bitmap) {
-  std::vector<BarycentricPoint> places;
+std::vector<Pixel> border(const Bitmap& bitmap) {
+  std::vector<Pixel> pixels;
   for (int x = 0; x < bitmap.width; ++x) {
-    places.push_back({x, 0});
-    places.push_back({x, bitmap.height - 1});
+    pixels.push_back({x, 0});
+    pixels.push_back({x, bitmap.height - 1});
   }
   for (int y = 1; y + 1 < bitmap.height; ++y) {
-    places.push_back({0, y});
-    places.push_back({bitmap.width - 1, y});
+    pixels.push_back({0, y});
+    pixels.push_back({bitmap.width - 1, y});
   }
-  return places;
+  return pixels;
 }
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-Rgb median(const Bitmap& bitmap, const std::vector<BarycentricPoint>& places) {
+Rgb median_color(const Bitmap& bitmap, const std::vector<Pixel>& pixels) {
   Rgb color{};
-  std::vector<std::uint8_t> values(places.size());
+  std::vector<std::uint8_t> values(pixels.size());
   for (std::size_t c = 0; c < 3; ++c) {
-    std::ranges::transform(places, values.begin(),
-                           [&](const BarycentricPoint& p) { return bitmap.pixel(p.x, p.y)[c]; });
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    color[c] = *middle;
+    std::ranges::transform(pixels, values.begin(),
+                           [&](const Pixel& p) { return bitmap.pixel(p.x, p.y)[c]; });
+    color[c] = median(values);
   }
   return color;
 }
@@ -50,10 +50,10 @@ int difference(const std::uint8_t* pixel, const Rgb& color) {
   return most;
 }
 
-/// Makes what is like the colour and connected to the border transparent.
-void clear_from_border(Bitmap& bitmap, const std::vector<BarycentricPoint>& border_pixels,
-                       const Rgb& color, int tolerance) {
-  std::vector<BarycentricPoint> front;
+/// Makes the pixels transparent that are similar to the colour and connected to the border.
+void clear_from_border(Bitmap& bitmap, const std::vector<Pixel>& border_pixels, const Rgb& color,
+                       int tolerance) {
+  std::vector<Pixel> front;
   const auto take = [&](int x, int y) {
     if (x < 0 || y < 0 || x >= bitmap.width || y >= bitmap.height) return;
     std::uint8_t* pixel = bitmap.pixel(x, y);
@@ -61,7 +61,7 @@ void clear_from_border(Bitmap& bitmap, const std::vector<BarycentricPoint>& bord
     std::fill_n(pixel, 4, std::uint8_t{0});
     front.push_back({x, y});
   };
-  for (const BarycentricPoint& place : border_pixels) take(place.x, place.y);
+  for (const Pixel& pixel : border_pixels) take(pixel.x, pixel.y);
   while (!front.empty()) {
     const auto [x, y] = front.back();
     front.pop_back();
@@ -79,8 +79,9 @@ void neighbours(const Bitmap& bitmap, int x, int y, Visit&& visit) {
       visit(bitmap.pixel(u, v));
 }
 
-/// The pixel at (x, y) is a·drawing + (1 − a)·background, the drawing's colour being that of the
-/// neighbour least like the background: writes a and the drawing's share of the colour.
+/// Assumes that the pixel at (x, y) is a·drawing + (1 − a)·background, where the drawing has the
+/// colour of the neighbour that differs most from the background. Writes a as the alpha, and the
+/// drawing's part of the colour.
 void unmix(const Bitmap& from, Bitmap& to, int x, int y, const Rgb& background) {
   const std::uint8_t* pixel = from.pixel(x, y);
   const std::uint8_t* purest = pixel;
@@ -116,25 +117,22 @@ bool has_transparency(const Bitmap& bitmap) {
 }
 
 std::string remove_background(Bitmap& bitmap, double tolerance, const std::filesystem::path& name) {
-  const std::vector<BarycentricPoint> places = border(bitmap);
-  const Rgb color = median(bitmap, places);
+  const std::vector<Pixel> pixels = border(bitmap);
+  const Rgb color = median_color(bitmap, pixels);
   const int most = static_cast<int>(std::lround(255 * tolerance));
-  const auto alike = std::ranges::count_if(places, [&](const BarycentricPoint& p) {
-    return difference(bitmap.pixel(p.x, p.y), color) <= most;
-  });
-  if (2 * static_cast<std::size_t>(alike) < places.size())
+  const auto alike = std::ranges::count_if(
+      pixels, [&](const Pixel& p) { return difference(bitmap.pixel(p.x, p.y), color) <= most; });
+  if (2 * static_cast<std::size_t>(alike) < pixels.size())
     cannot_read(name,
                 "every pixel is opaque and the background is not plain: fewer than half of the "
                 "border's pixels are of one colour; make the background transparent");
-  clear_from_border(bitmap, places, color, most);
+  clear_from_border(bitmap, pixels, color, most);
   const Bitmap cleared = bitmap;
   for (int y = 0; y < bitmap.height; ++y)
     for (int x = 0; x < bitmap.width; ++x)
       if (cleared.pixel(x, y)[3] != 0) unmix(cleared, bitmap, x, y, color);
-  char text[96];
-  std::snprintf(text, sizeof text, "took the colour #%02x%02x%02x of the border for the background",
-                color[0], color[1], color[2]);
-  return text;
+  return fmt::format("took the colour #{:02x}{:02x}{:02x} of the border for the background",
+                     color[0], color[1], color[2]);
 }
 
 }  // namespace deformlab

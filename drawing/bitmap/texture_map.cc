@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "drawing/bitmap/rim.h"
+#include "drawing/bitmap/uncovered_squares.h"
 #include "geometry/core/error.h"
 #include "geometry/core/workers.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBand = 32;               // rows drawn at once
 constexpr int kMostSamples = 8;         // along each side of a pixel, where the texture shrinks
-constexpr double kSamePlace = 2;        // nearer places of the texture are one layer, drawn twice
+constexpr double kSameLayer = 2;        // [texel] two hits nearer than this are one layer
 constexpr double kOpaqueEnough = 1e-4;  // what is left to see through
 
 /// A triangle to be drawn.
@@ -21,17 +21,17 @@ struct Piece {
   Eigen::Matrix<double, 2, 3> at;    ///< in the output
   Eigen::Matrix<double, 2, 3> from;  ///< in the texture
   double depth;
-  bool rim;
+  bool is_square;  ///< one of the squares that the mesh does not cover
 };
 
 /// A piece that covers a pixel.
 struct Hit {
   int pixel;
   std::size_t piece;
-  Eigen::Vector2d source;  ///< its centre's place in the texture
+  Eigen::Vector2d source;  ///< the texture's coordinates at the pixel's centre
 };
 
-/// How the place in the texture changes from pixel to pixel of the output.
+/// The derivative of the texture's coordinates by the output's.
 Eigen::Matrix2d change(const Piece& piece) {
   const Eigen::Vector3d at_zero = barycentric(piece.at, {0, 0});
   Eigen::Matrix2d J;
@@ -46,7 +46,7 @@ double greatest_stretch(const Eigen::Matrix2d& J) {
   return std::sqrt(half + std::hypot(off, S(0, 1)));
 }
 
-/// Premultiplied colour and alpha, 0 … 1; all beyond the bitmap is transparent.
+/// Premultiplied colour and alpha, 0 … 1. Everything outside the bitmap is transparent.
 Eigen::Vector4d texel(const Bitmap& texture, int x, int y) {
   if (x < 0 || y < 0 || x >= texture.width || y >= texture.height) return Eigen::Vector4d::Zero();
   const std::uint8_t* p = texture.pixel(x, y);
@@ -54,17 +54,17 @@ Eigen::Vector4d texel(const Bitmap& texture, int x, int y) {
   return {a * p[0] / 255.0, a * p[1] / 255.0, a * p[2] / 255.0, a};
 }
 
-Eigen::Vector4d bilinear(const Bitmap& texture, const Eigen::Vector2d& place) {
+Eigen::Vector4d bilinear(const Bitmap& texture, const Eigen::Vector2d& point) {
   const Eigen::Vector2d limit(texture.width + 1, texture.height + 1);
   const Eigen::Vector2d p =
-      (place.array() - 0.5).matrix().cwiseMax(Eigen::Vector2d(-2, -2)).cwiseMin(limit);
+      (point.array() - 0.5).matrix().cwiseMax(Eigen::Vector2d(-2, -2)).cwiseMin(limit);
   const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
   const double u = p.x() - x, v = p.y() - y;
   return (1 - v) * ((1 - u) * texel(texture, x, y) + u * texel(texture, x + 1, y)) +
          v * ((1 - u) * texel(texture, x, y + 1) + u * texel(texture, x + 1, y + 1));
 }
 
-/// The mean of the texture over what the pixel covers of it.
+/// The mean of the texture over the part of it that the pixel covers.
 Eigen::Vector4d sample(const Bitmap& texture, const Piece& piece, const Eigen::Vector2d& center) {
   const Eigen::Matrix2d J = change(piece);
   const double stretch = std::min<double>(kMostSamples, greatest_stretch(J));
@@ -84,7 +84,7 @@ Eigen::Vector4d blend(const Bitmap& texture, const std::vector<Piece>& pieces, c
   Eigen::Vector4d color = Eigen::Vector4d::Zero();
   for (const Hit* hit = begin; hit != end && color[3] < 1 - kOpaqueEnough; ++hit) {
     const bool drawn = std::any_of(begin, hit, [&](const Hit& other) {
-      return (other.source - hit->source).squaredNorm() < kSamePlace * kSamePlace;
+      return (other.source - hit->source).squaredNorm() < kSameLayer * kSameLayer;
     });
     if (!drawn) color += (1 - color[3]) * sample(texture, pieces[hit->piece], hit->source);
   }
@@ -110,8 +110,8 @@ void draw_band(const Bitmap& texture, const std::vector<Piece>& pieces,
     });
   std::ranges::sort(hits, [&](const Hit& a, const Hit& b) {
     const Piece &p = pieces[a.piece], &q = pieces[b.piece];
-    return std::tuple(a.pixel, -p.depth, p.rim, b.piece) <
-           std::tuple(b.pixel, -q.depth, q.rim, a.piece);
+    return std::tuple(a.pixel, -p.depth, p.is_square, b.piece) <
+           std::tuple(b.pixel, -q.depth, q.is_square, a.piece);
   });
   for (auto begin = hits.begin(); begin != hits.end();) {
     const auto end =
@@ -139,8 +139,8 @@ std::vector<std::vector<std::size_t>> by_band(const std::vector<Piece>& pieces, 
 
 TextureMap::TextureMap(Bitmap texture, Triangulation rest)
     : texture_(std::move(texture)), rest_(std::move(rest)) {
-  rim_rest_ = squares_beyond(rest_, texture_);
-  rim_ = Binding(rest_, Locator(rest_), rim_rest_.V);
+  squares_ = uncovered_squares(rest_, texture_);
+  square_corners_ = Binding(rest_, Locator(rest_), squares_.V);
 }
 
 Bitmap TextureMap::draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
@@ -149,16 +149,16 @@ Bitmap TextureMap::draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
     throw InputError("cannot draw: the deformed vertices must be as many as at rest, and finite");
   Bitmap out(box.width, box.height);
   const Eigen::Vector2d origin(box.left, box.top);
-  const Eigen::Matrix2Xd rim = rim_(V);
+  const Eigen::Matrix2Xd square_corners = square_corners_(V);
   std::vector<Piece> pieces;
   const auto depth_of = [&](Eigen::Index f) { return depth.size() > 0 ? depth[f] : 0.0; };
   for (Eigen::Index f = 0; f < rest_.F.cols(); ++f)
     pieces.push_back({corners(V, rest_.F, f).colwise() - origin, corners(rest_.V, rest_.F, f),
                       depth_of(f), false});
-  for (Eigen::Index f = 0; f < rim_rest_.F.cols(); ++f)
-    pieces.push_back({corners(rim, rim_rest_.F, f).colwise() - origin,
-                      corners(rim_rest_.V, rim_rest_.F, f),
-                      depth_of(rim_.triangle(rim_rest_.F(0, f))), true});
+  for (Eigen::Index f = 0; f < squares_.F.cols(); ++f)
+    pieces.push_back({corners(square_corners, squares_.F, f).colwise() - origin,
+                      corners(squares_.V, squares_.F, f),
+                      depth_of(square_corners_.triangle(squares_.F(0, f))), true});
   const auto bands = by_band(pieces, box.height);
   Workers(0).each(static_cast<int>(bands.size()), [&](int band) {
     const int top = band * kBand, rows = std::min(kBand, box.height - top);

@@ -57,7 +57,7 @@ Curve cut(const Curve& curve, double longest) {
   return result;
 }
 
-Paint plain(const std::array<double, 4>& color) {
+Paint one_color(const std::array<double, 4>& color) {
   Paint paint;
   paint.kind = Paint::Kind::kColor;
   paint.stops = {{0, color}};

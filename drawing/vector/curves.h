@@ -11,6 +11,6 @@ Curve polygon(const Eigen::Matrix2Xd& corners, bool closed = true);
 Curve cut(const Curve& curve, double longest);
 
 /// A fill or stroke of one colour (straight sRGB and alpha, 0 … 1).
-Paint plain(const std::array<double, 4>& color);
+Paint one_color(const std::array<double, 4>& color);
 
 }  // namespace deformlab

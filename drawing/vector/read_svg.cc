@@ -7,7 +7,7 @@
 #include <set>
 
 #include "drawing/vector/curves.h"
-#include "drawing/vector/plain_svg.h"
+#include "drawing/vector/normalized_svg.h"
 #include "drawing/vector/svg_values.h"
 #include "geometry/core/files.h"
 
@@ -67,7 +67,7 @@ bool is_box(const Outlines& outlines) {
 
 class Reader {
  public:
-  Reader(const PlainSvg& svg, VectorDrawing& drawing) : drawing_(drawing) {
+  Reader(const NormalizedSvg& svg, VectorDrawing& drawing) : drawing_(drawing) {
     document_.load_buffer(svg.text.data(), svg.text.size());
     for (const auto& found : document_.select_nodes("//*[@id]"))
       by_id_[found.node().attribute("id").value()] = found.node();
@@ -186,14 +186,14 @@ class Reader {
     if (value == "none") return {};
     const double alpha = state.alpha * number(style, use + "-opacity", 1);
     const pugi::xml_node server = find(target(value));
-    if (!server) return plain(color(value, alpha));
+    if (!server) return one_color(color(value, alpha));
     const std::string_view name = server.name();
     if (name == "linearGradient" || name == "radialGradient")
       return gradient(server, name == "radialGradient", alpha, state.map);
     notes_.insert("painted patterns in one colour");
     const pugi::xml_node first = referred(server.child("use")).child("path");
     const Style inner = style_of(first.attribute("style").value());
-    return plain(color(word(inner, "fill"), alpha));
+    return one_color(color(word(inner, "fill"), alpha));
   }
 
   static Paint gradient(const pugi::xml_node& node, bool radial, double alpha,
@@ -238,7 +238,7 @@ class Reader {
 }  // namespace
 
 VectorDrawing read_svg(const std::filesystem::path& path) {
-  const PlainSvg svg = to_plain_svg(read_file(path), path);
+  const NormalizedSvg svg = normalized_svg(read_file(path), path);
   VectorDrawing drawing;
   drawing.notes = svg.notes;
   Reader(svg, drawing);

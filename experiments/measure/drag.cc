@@ -4,6 +4,7 @@
 #include <string>
 
 #include "geometry/core/error.h"
+#include "geometry/core/median.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -15,12 +16,6 @@ Eigen::Matrix3Xd places_at_rest(const Shape& rest, const Handles& handles) {
   Eigen::Matrix3Xd places(3, handles.targets());
   places << rest.V(Eigen::all, handles.moved), handles.points;
   return places;
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

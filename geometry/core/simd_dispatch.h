@@ -1,7 +1,8 @@
 #pragma once
 
-// DEFORMLAB_SIMD_DISPATCH before a function: it is compiled for processors with AVX2 as well, and
-// the program picks the one that fits where it runs. Sanitizers cannot see through the choice.
+// DEFORMLAB_SIMD_DISPATCH before a function compiles it twice, for every x86-64 processor and for
+// those with AVX2 (function multiversioning); the program chooses when it starts. Sanitizers do not
+// support this.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define DEFORMLAB_SIMD_DISPATCH __attribute__((target_clones("default", "arch=x86-64-v3")))
@@ -9,6 +10,7 @@
 #define DEFORMLAB_SIMD_DISPATCH
 #endif
 
-// Of a function that clones are made of: it is compiled within each of them, for its processor.
+// For a function that a dispatched function calls: it becomes a part of every version of the caller
+// and so is compiled for the same processor.
 #define DEFORMLAB_INLINED __attribute__((always_inline))
 #define DEFORMLAB_INLINE inline DEFORMLAB_INLINED

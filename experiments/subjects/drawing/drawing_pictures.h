@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/panel.h"
+#include "drawing/draw_panel.h"
 #include "experiments/subjects/picture_options.h"
 #include "experiments/subjects/shape/edit.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <unordered_map>
+#include <utility>
 
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -34,6 +35,11 @@ Layout read_binary(std::string_view bytes, const std::string& name) {
                 fmt::format("it is neither text nor whole: as binary STL it announces {} facets, "
                             "which take {} bytes; it has {}",
                             facets, kBodyAt + kFacetSize * facets, bytes.size()));
+  }
+  for (auto [numbers, each] :
+       {std::pair(&layout.normals, std::size_t{3}), {&layout.positions, std::size_t{9}}}) {
+    numbers->values.reserve(each * facets);
+    numbers->sources.reserve(each * facets);
   }
   for (std::size_t facet = 0; facet < facets; ++facet) {
     for (std::size_t i = 0; i < 12; ++i) {

@@ -12,9 +12,9 @@ namespace deformlab {
 void for_each_pixel_inside(const Region& region, int width, int height,
                            const std::function<void(int x, int y)>& visit);
 
-/// Makes what does not belong to the region transparent: the pixels of other parts, those of at
-/// least `threshold` opacity outside the region, with the fainter ones around that are nearer to
-/// them, and what neither of the two leads to.
-void keep_only(const Region& region, double threshold, Bitmap& bitmap);
+/// Makes all pixels transparent that do not belong to the region. A pixel outside the region whose
+/// opacity is at least `threshold` (0 … 1) belongs to another part. A fainter pixel belongs to what
+/// it is connected to; where this is both the region and another part, to the nearer of the two.
+void clear_outside(const Region& region, double threshold, Bitmap& bitmap);
 
 }  // namespace deformlab

@@ -1,8 +1,9 @@
+#include "drawing/bitmap/texture_map.h"
+
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
 
-#include "drawing/bitmap/texture_map.h"
 #include "tests/support/drawings.h"
 
 namespace deformlab {

@@ -6,11 +6,11 @@
 
 namespace deformlab {
 
-/// An SVG in the plain words that Cairo writes: paths of straight lines and cubics, colours and
-/// gradients by value, matrices, clips, and groups with an opacity. librsvg reads the file and
-/// Cairo writes what it paints, so style sheets, shapes, arcs, units, references and inheritance
-/// are as in any viewer.
-struct PlainSvg {
+/// An SVG reduced to the few elements that Cairo writes: paths of straight lines and cubics,
+/// colours and gradients by value, matrices, clips, and groups with an opacity. librsvg reads the
+/// file and Cairo writes what librsvg paints, so that style sheets, shapes, arcs, units, references
+/// and inheritance mean the same as in any viewer.
+struct NormalizedSvg {
   std::string text;
   double width = 0, height = 0;    ///< of the page [pixel]
   double scale = 1;                ///< units in `text` a pixel
@@ -20,6 +20,6 @@ struct PlainSvg {
 /// Nothing but `bytes` is read: references to other files, entities among them, are not followed.
 /// Text, images, filters and masks are left out. Throws InputError where the XML cannot be read, or
 /// the page has no extent or more than a million pixels along a side.
-PlainSvg to_plain_svg(const std::string& bytes, const std::filesystem::path& name);
+NormalizedSvg normalized_svg(const std::string& bytes, const std::filesystem::path& name);
 
 }  // namespace deformlab

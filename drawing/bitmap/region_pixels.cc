@@ -1,4 +1,4 @@
-#include "drawing/kept_part.h"
+#include "drawing/bitmap/region_pixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 namespace deformlab {
 namespace {
 
-/// Adds where the polygon's edges cross the lines through the rows' centres.
+/// Adds to each row the x at which the polygon's edges cross the line through the row's centre.
 void add_crossings(const Eigen::Matrix2Xd& polygon, std::vector<std::vector<double>>& rows) {
   const double last = static_cast<double>(rows.size()) - 1;
   for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
@@ -21,16 +21,17 @@ void add_crossings(const Eigen::Matrix2Xd& polygon, std::vector<std::vector<doub
   }
 }
 
-/// Who a pixel belongs to.
+/// What a pixel belongs to.
 enum class Owner : std::uint8_t { kNobody, kRegion, kOther };
 
-struct BarycentricPoint {
+struct Pixel {
   int x, y;
 };
 
-/// Who the pixels belong to that are opaque enough to decide it by themselves, and where they are.
+/// Assigns the pixels in the region, and those outside that are opaque enough to belong to another
+/// part; collects both in `pixels`.
 std::vector<Owner> decided(const Region& region, double threshold, const Bitmap& bitmap,
-                           std::vector<BarycentricPoint>& places) {
+                           std::vector<Pixel>& pixels) {
   std::vector<Owner> owners(bitmap.rgba.size() / 4, Owner::kNobody);
   const auto at = [&](int x, int y) -> Owner& {
     return owners[static_cast<std::size_t>(bitmap.pixel(x, y) - bitmap.rgba.data()) / 4];
@@ -41,7 +42,7 @@ std::vector<Owner> decided(const Region& region, double threshold, const Bitmap&
     for (int x = 0; x < bitmap.width; ++x) {
       const bool opaque = bitmap.pixel(x, y)[3] >= 255 * threshold;
       if (at(x, y) == Owner::kNobody && opaque) at(x, y) = Owner::kOther;
-      if (at(x, y) != Owner::kNobody) places.push_back({x, y});
+      if (at(x, y) != Owner::kNobody) pixels.push_back({x, y});
     }
   return owners;
 }
@@ -64,14 +65,14 @@ void for_each_pixel_inside(const Region& region, int width, int height,
   }
 }
 
-void keep_only(const Region& region, double threshold, Bitmap& bitmap) {
-  std::vector<BarycentricPoint> front, next;
+void clear_outside(const Region& region, double threshold, Bitmap& bitmap) {
+  std::vector<Pixel> front, next;
   std::vector<Owner> owners = decided(region, threshold, bitmap, front);
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(bitmap.width) +
            static_cast<std::size_t>(x);
   };
-  while (!front.empty()) {  // all faint pixels are reached in order of their distance
+  while (!front.empty()) {  // this reaches the faint pixels in the order of their distance
     next.clear();
     for (const auto [x, y] : front)
       for (int v = std::max(0, y - 1); v <= std::min(bitmap.height - 1, y + 1); ++v)

@@ -1,4 +1,4 @@
-#include "drawing/panel.h"
+#include "drawing/draw_panel.h"
 
 #include <cairo.h>
 

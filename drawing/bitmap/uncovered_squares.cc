@@ -1,13 +1,13 @@
-#include "drawing/bitmap/rim.h"
+#include "drawing/bitmap/uncovered_squares.h"
 
 #include <algorithm>
 
-#include "drawing/scan.h"
+#include "drawing/bitmap/triangle_pixels.h"
 
 namespace deformlab {
 namespace {
 
-/// Which pixels' centres the mesh covers.
+/// For each pixel, in rows, whether the mesh covers its centre.
 std::vector<bool> covered_by(const Triangulation& mesh, int width, int height) {
   std::vector<bool> covered(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (Eigen::Index f = 0; f < mesh.F.cols(); ++f)
@@ -19,10 +19,10 @@ std::vector<bool> covered_by(const Triangulation& mesh, int width, int height) {
   return covered;
 }
 
-/// Squares between pixels' centres that hold something of the drawing beyond the mesh.
-class Rim {
+/// Collects the squares and numbers their corners.
+class UncoveredSquares {
  public:
-  Rim(const Bitmap& texture, const Triangulation& mesh)
+  UncoveredSquares(const Bitmap& texture, const Triangulation& mesh)
       : texture_(texture), covered_(covered_by(mesh, texture.width, texture.height)) {}
 
   Triangulation squares() {
@@ -35,30 +35,31 @@ class Rim {
     for (int y = -1; y * step_ < texture_.height; ++y)
       for (int x = -1; x * step_ < texture_.width; ++x)
         if (needed(x * step_, y * step_)) add(x, y);
-    return {Eigen::Matrix2Xd::Map(places_.data(), 2, std::ssize(places_) / 2),
+    return {Eigen::Matrix2Xd::Map(corners_.data(), 2, std::ssize(corners_) / 2),
             Eigen::Matrix3Xi::Map(triangles_.data(), 3, std::ssize(triangles_) / 3)};
   }
 
  private:
   bool needed(int left, int top) const {
-    bool drawn = false, beyond = false;
+    bool drawn = false, uncovered = false;
     for (int y = top; y <= top + step_; ++y)
       for (int x = left; x <= left + step_; ++x) {
         const bool inside = x >= 0 && y >= 0 && x < texture_.width && y < texture_.height;
         drawn = drawn || (inside && texture_.pixel(x, y)[3] != 0);
-        beyond = beyond || !inside ||
-                 !covered_[static_cast<std::size_t>(y) * static_cast<std::size_t>(texture_.width) +
-                           static_cast<std::size_t>(x)];
+        uncovered =
+            uncovered || !inside ||
+            !covered_[static_cast<std::size_t>(y) * static_cast<std::size_t>(texture_.width) +
+                      static_cast<std::size_t>(x)];
       }
-    return drawn && beyond;
+    return drawn && uncovered;
   }
 
   int vertex(int x, int y) {
     int& number = number_[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(across_) +
                           static_cast<std::size_t>(x + 1)];
     if (number < 0) {
-      number = static_cast<int>(places_.size() / 2);
-      places_.insert(places_.end(), {x * step_ + 0.5, y * step_ + 0.5});
+      number = static_cast<int>(corners_.size() / 2);
+      corners_.insert(corners_.end(), {x * step_ + 0.5, y * step_ + 0.5});
     }
     return number;
   }
@@ -73,13 +74,13 @@ class Rim {
   std::vector<bool> covered_;
   int step_ = 1, across_ = 0;
   std::vector<int> number_, triangles_;
-  std::vector<double> places_;
+  std::vector<double> corners_;
 };
 
 }  // namespace
 
-Triangulation squares_beyond(const Triangulation& mesh, const Bitmap& texture) {
-  return Rim(texture, mesh).squares();
+Triangulation uncovered_squares(const Triangulation& mesh, const Bitmap& texture) {
+  return UncoveredSquares(texture, mesh).squares();
 }
 
 }  // namespace deformlab

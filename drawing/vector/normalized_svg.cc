@@ -1,4 +1,4 @@
-#include "drawing/vector/plain_svg.h"
+#include "drawing/vector/normalized_svg.h"
 
 #include <cairo-svg.h>
 #include <librsvg/rsvg.h>
@@ -62,7 +62,7 @@ std::unique_ptr<RsvgHandle, Unref> open(const std::string& bytes, const fs::path
 }
 
 /// The page's size: what the file says, else its view box, else what it paints.
-void set_size(RsvgHandle* handle, const fs::path& name, PlainSvg& svg) {
+void set_size(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &svg.width, &svg.height) == 0) {
     gboolean has_box = 0;
     RsvgRectangle box{};
@@ -92,7 +92,7 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-void paint(RsvgHandle* handle, const fs::path& name, PlainSvg& svg) {
+void paint(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
   const RsvgRectangle page{0, 0, svg.width * svg.scale, svg.height * svg.scale};
   const std::unique_ptr<cairo_surface_t, Unref> surface(
       cairo_svg_surface_create_for_stream(append, &svg.text, page.width, page.height));
@@ -133,9 +133,9 @@ struct Hidden : pugi::xml_tree_walker {
 
 }  // namespace
 
-PlainSvg to_plain_svg(const std::string& bytes, const fs::path& name) {
+NormalizedSvg normalized_svg(const std::string& bytes, const fs::path& name) {
   const auto handle = open(bytes, name);
-  PlainSvg svg;
+  NormalizedSvg svg;
   set_size(handle.get(), name, svg);
   svg.scale = kUnitsAcross / std::max(svg.width, svg.height);
   paint(handle.get(), name, svg);
