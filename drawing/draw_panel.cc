@@ -1,6 +1,7 @@
 #include "drawing/draw_panel.h"
 
 #include <cairo.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +26,12 @@ void check(const BoundDrawing& drawing, const DrawingPanel& panel) {
   const Eigen::Index n = drawing.rest().V.cols(), m = drawing.rest().F.cols();
   const Eigen::Index p = panel.handles.cols();
   const auto fits = [](Eigen::Index size, Eigen::Index all) { return size == 0 || size == all; };
-  require(panel.V.cols() == n,
-          std::to_string(panel.V.cols()) + " vertices instead of " + std::to_string(n));
+  require(panel.V.cols() == n, fmt::format("{} vertices instead of {}", panel.V.cols(), n));
   require(
       fits(panel.depth.size(), m) && fits(panel.tint.size(), m) && fits(panel.loose.cols(), 3 * m),
-      "depth, tint or loose triangles are not one a triangle");
+      "depth, tint or loose triangles are not one for each triangle");
   require(fits(panel.angles.size(), p) && fits(panel.targets.cols(), p),
-          "angles or targets are not one a handle");
+          "angles or targets are not one for each handle");
   require(panel.V.allFinite() && panel.loose.allFinite() && panel.handles.allFinite() &&
               panel.targets.allFinite() && panel.tint.allFinite() && panel.depth.allFinite(),
           "a coordinate is not finite");

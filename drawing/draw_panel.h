@@ -8,15 +8,16 @@
 
 namespace deformlab {
 
-/// What one picture of a drawing shows, in the drawing's coordinates. What is empty is left out.
+/// What one picture of a drawing shows, in the coordinates of the drawing. Empty members are not
+/// drawn.
 struct DrawingPanel {
   Eigen::Matrix2Xd V;      ///< 2×#V vertices
-  Eigen::VectorXd depth;   ///< #F, what is greater is in front
+  Eigen::VectorXd depth;   ///< #F; a triangle of greater depth is in front
   bool drawing = true;     ///< the drawing itself; else its mesh as plain triangles
   bool edges = false;      ///< the mesh's edges over the drawing; plain triangles have them anyway
   Eigen::Matrix2Xd loose;  ///< 2×3#F corners of triangles shown in place of all that (Figure 3)
   Eigen::VectorXd tint;    ///< #F, how strongly triangles are tinted, 0 … 1
-  Eigen::Matrix2Xd handles;  ///< 2×p places that are held
+  Eigen::Matrix2Xd handles;  ///< 2×p positions of the handles
   Eigen::VectorXd angles;    ///< p, directions of rotation handles [radian], NaN for others
   Eigen::Matrix2Xd targets;  ///< 2×p where the handles should be, joined to them
   std::string caption;

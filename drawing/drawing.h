@@ -15,7 +15,7 @@
 
 namespace deformlab {
 
-/// What a drawing's file shows, or what a picture of it has to [length].
+/// The rectangle that a drawing's file or a picture shows [length].
 using Page = Eigen::AlignedBox2d;
 
 /// A drawing at rest. Coordinates are those of its file: pixels, x to the right, y down, the first

@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 #include "drawing/binding.h"
 #include "drawing/bitmap/background.h"
@@ -23,21 +24,18 @@ constexpr double kLineWidth = 0.002, kMargin = 0.02;  // as parts of the page's 
 
 void note_the_rest(const Silhouette& found, std::vector<std::string>& notes) {
   if (found.left_out > 0) {
-    char share[16];
-    std::snprintf(share, sizeof share, "%.2g %%", 100 * found.left_out_share);
-    notes.push_back("kept the largest part and left out " + std::to_string(found.left_out) +
-                    " detached from it, " + share + " of the area");
+    notes.push_back(
+        fmt::format("kept the largest part and left out {} detached from it, {:.2g} % of the area",
+                    found.left_out, 100 * found.left_out_share));
   }
-  if (found.filled_holes > 0)
-    notes.push_back("filled " + std::to_string(found.filled_holes) + " holes");
+  if (found.filled_holes > 0) notes.push_back(fmt::format("filled {} holes", found.filled_holes));
 }
 
 Drawing read_bitmap(const fs::path& path, const DrawingOptions& options) {
   Bitmap bitmap = read_png(path);
   if (bitmap.width < 3 || bitmap.height < 3)
-    cannot_read(path, "it has " + std::to_string(bitmap.width) + "×" +
-                          std::to_string(bitmap.height) +
-                          " pixels; a silhouette needs at least 3×3");
+    cannot_read(path, fmt::format("it has {}×{} pixels; a silhouette needs at least 3×3",
+                                  bitmap.width, bitmap.height));
   Drawing drawing;
   if (!has_transparency(bitmap))
     drawing.notes.push_back(remove_background(bitmap, options.background, path));
@@ -64,9 +62,9 @@ class RegionMask {
   }
 
   /// Whether the pixel there, or one beside it, belongs to the region.
-  bool near(const Eigen::Vector2d& place) const {
+  bool near(const Eigen::Vector2d& point) const {
     const int height = static_cast<int>(inside_.size()) / width_;
-    const Eigen::Vector2d pixel = place.array().floor();
+    const Eigen::Vector2d pixel = point.array().floor();
     for (double y = std::max(0.0, pixel.y() - 1); y <= std::min(height - 1.0, pixel.y() + 1); ++y)
       for (double x = std::max(0.0, pixel.x() - 1); x <= std::min(width_ - 1.0, pixel.x() + 1); ++x)
         if (inside_[index(static_cast<int>(x), static_cast<int>(y))]) return true;
@@ -83,7 +81,7 @@ class RegionMask {
   std::vector<bool> inside_;
 };
 
-/// Leaves out the paths of which no point is near the region.
+/// Removes the paths that have no point near the region.
 void keep_paths(const RegionMask& mask, double resolution, Drawing& drawing) {
   const std::size_t before = drawing.paths.size();
   std::erase_if(drawing.paths, [&](const VectorPath& path) {
@@ -94,11 +92,11 @@ void keep_paths(const RegionMask& mask, double resolution, Drawing& drawing) {
     });
   });
   if (before != drawing.paths.size())
-    drawing.notes.push_back("left out " + std::to_string(before - drawing.paths.size()) +
-                            " paths that are not on it");
+    drawing.notes.push_back(
+        fmt::format("left out {} paths that are not on it", before - drawing.paths.size()));
 }
 
-/// Traces what the paths paint, in pixels small enough for the outline.
+/// Traces the outline of what the paths paint, in pixels of the size that the options ask for.
 void trace_paths(const fs::path& path, const DrawingOptions& options, Drawing& drawing) {
   const double resolution = options.outline / drawing.page.sizes().maxCoeff();
   TraceOptions in_pixels = options.trace;
@@ -127,7 +125,7 @@ Drawing read_vector(const fs::path& path, const DrawingOptions& options) {
   return drawing;
 }
 
-/// The page around points that have none.
+/// A page around points from a file that states none.
 Page page_around(const Eigen::Matrix2Xd& points) {
   Page page(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * page.diagonal().norm());
@@ -178,7 +176,7 @@ Drawing read_mesh(const fs::path& path) {
 void check(const DrawingOptions& o) {
   const auto require = [](bool good, const char* key, double value, const char* allowed) {
     if (good) return;
-    throw InputError(std::string(key) + " is " + std::to_string(value) + "; it must be " + allowed);
+    throw InputError(fmt::format("{} is {}; it must be {}", key, value, allowed));
   };
   require(o.background >= 0 && o.background <= 1, "background", o.background, "0 … 1");
   require(o.outline >= 16 && o.outline <= 10000, "outline", o.outline, "16 … 10,000");
@@ -192,8 +190,10 @@ Drawing read_by_extension(const fs::path& path, const DrawingOptions& options) {
   if (extension == ".txt") return read_polygon(path, options);
   if (extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl")
     return read_mesh(path);
-  throw InputError("cannot read '" + path.string() + "' as a drawing: unknown extension '" +
-                   extension + "'; known: .png, .svg, .txt, .obj, .off, .ply, .stl");
+  throw InputError(fmt::format(
+      "cannot read '{}' as a drawing: unknown extension '{}'; known: .png, .svg, .txt, .obj, .off, "
+      ".ply, .stl",
+      path.string(), extension));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "drawing/write_drawing.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -22,7 +24,7 @@ std::string text_of(const char* format, double a, double b, double c, double d) 
 double resolution_for(const Drawing& drawing, double asked) {
   constexpr double kLeast = 200, kMost = 4000, kAcross = 1000;  // [pixel]
   if (!(asked >= 0 && asked <= 1e6))
-    throw InputError("resolution is " + std::to_string(asked) + "; it must be 0 … 1,000,000");
+    throw InputError(fmt::format("resolution is {}; it must be 0 … 1,000,000", asked));
   if (asked > 0) return asked;
   const double longer = drawing.page.sizes().maxCoeff();
   const bool has_pixels = drawing.bitmap || extension_of(drawing.file) == ".svg";
@@ -30,7 +32,8 @@ double resolution_for(const Drawing& drawing, double asked) {
                                                                                  : kAcross / longer;
 }
 
-/// Faces with places in the page as texture coordinates; OBJ has these from the lower left corner.
+/// The faces, with the positions at rest in the page as texture coordinates, which OBJ measures
+/// from the lower left corner.
 std::string to_obj(const BoundDrawing& drawing, const Eigen::Matrix2Xd& V) {
   const Page& page = drawing.drawing().page;
   const Eigen::Matrix2Xd places =
@@ -41,8 +44,7 @@ std::string to_obj(const BoundDrawing& drawing, const Eigen::Matrix2Xd& V) {
   for (const auto& f : drawing.rest().F.colwise()) {
     text += "f";
     for (const int corner : f) {
-      const std::string number = std::to_string(corner + 1);
-      text += " " + number + "/" + number;
+      text += fmt::format(" {0}/{0}", corner + 1);
     }
     text += "\n";
   }
@@ -58,7 +60,7 @@ void write_mesh(const fs::path& out, const BoundDrawing& drawing, const Eigen::M
   write_shape(out, shape, same ? file : fs::path());
 }
 
-/// How much a page grew on each side, as a word for the user.
+/// A note for the user: how much the page grew on each side.
 std::vector<std::string> growth(const Page& from, const Page& to) {
   const Eigen::Vector2d before = from.min() - to.min(), after = to.max() - from.max();
   if (before.isZero() && after.isZero()) return {};

@@ -1,10 +1,11 @@
 #include "render/camera.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "geometry/core/error.h"
 
@@ -15,22 +16,23 @@ constexpr double kNearest = 0.2;  // depth of the nearest point, framed coordina
 
 void set_directions(const Camera& camera, View& view) {
   if (!(camera.direction.norm() > 0) || !camera.direction.allFinite())
-    throw InputError("cannot aim the camera: its direction must be finite and not zero");
+    throw InputError("cannot point the camera: its direction must be finite and not zero");
   view.forward = camera.direction.normalized();
   const Eigen::Vector3d right = view.forward.cross(camera.up.normalized());
   if (!(right.norm() > 1e-9))
-    throw InputError("cannot aim the camera: its direction must not be parallel to its up");
+    throw InputError("cannot point the camera: its direction must not be parallel to its up");
   view.right = right.normalized();
   view.up = view.right.cross(view.forward);
 }
 
 void set_opening(const Camera& camera, int width, int height, View& view) {
   if (!(camera.field_of_view > 0 && camera.field_of_view < 180))
-    throw InputError("cannot use a field of view of " + std::to_string(camera.field_of_view) +
-                     " degrees: it must lie between 0 and 180");
+    throw InputError(
+        fmt::format("cannot use a field of view of {} degrees: it must lie between 0 and 180",
+                    camera.field_of_view));
   if (!(camera.margin >= 0 && camera.margin < 0.5))
-    throw InputError("cannot leave a margin of " + std::to_string(camera.margin) +
-                     " of the picture: it must lie in [0, 0.5)");
+    throw InputError(fmt::format(
+        "cannot leave a margin of {} of the picture: it must lie in [0, 0.5)", camera.margin));
   view.tan_y = std::tan(camera.field_of_view * std::numbers::pi / 360);
   view.tan_x = view.tan_y * width / height;
 }

@@ -4,7 +4,7 @@
 
 namespace deformlab {
 
-/// Where the picture is taken from; how far away follows from what has to fit.
+/// The direction and the opening of the camera. Its distance follows from what the picture shows.
 struct Camera {
   Eigen::Vector3d direction{0.5, 1.0, -0.6};  ///< from the eye into the scene, of any length
   Eigen::Vector3d up{0, 0, 1};                ///< points upward in the picture
@@ -13,8 +13,9 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// A camera that stands. Pictures are computed in coordinates where what was framed lies around
-/// the origin and has a diagonal of one, so single precision is enough for any unit and offset.
+/// A camera with a position. Pictures are computed in framed coordinates: what the view frames lies
+/// around the origin and has a diagonal of one. So single precision is enough for any unit and
+/// offset.
 struct View {
   Eigen::Vector3d center;              ///< of what was framed [length]
   double size;                         ///< its diagonal [length], 1 where it is a single point

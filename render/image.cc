@@ -2,6 +2,7 @@
 
 #include <cairo-ft.h>
 #include <cairo.h>
+#include <fmt/format.h>
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
@@ -70,14 +71,14 @@ cairo_font_face_t* load_font() {
   return cairo_ft_font_face_create_for_ft_face(face, 0);
 }
 
-/// Read from its file, because what fontconfig would choose differs from machine to machine. Cairo
-/// keeps what it drew with, so the font lives as long as the process.
+/// The font is read from its file, because the choice of fontconfig differs between machines. Cairo
+/// keeps references to the fonts that it used, so this one lives as long as the process.
 cairo_font_face_t* font() {
   static cairo_font_face_t* const face = load_font();
   return face;
 }
 
-/// Sets the font so that the text fits into `width`, and tells how wide and high it then is.
+/// Chooses the font size so that the text fits into `width`; returns the extents of the text.
 cairo_text_extents_t fit_text(cairo_t* cairo, const std::string& text, double size, double width) {
   // Hinting depends on the machine's settings: without it the same text gives the same bytes.
   cairo_font_options_t* options = cairo_font_options_create();
@@ -130,8 +131,8 @@ void grow_to_content(const Image& image, Bounds& bounds) {
 
 Image::Image(int w, int h) : width(w), height(h) {
   if (w < 1 || h < 1 || w > kLargestSide || h > kLargestSide)
-    throw InputError("cannot make an image of " + std::to_string(w) + "×" + std::to_string(h) +
-                     " pixels: each side must lie in 1.." + std::to_string(kLargestSide));
+    throw InputError(fmt::format(
+        "cannot make an image of {}×{} pixels: each side must lie in 1..{}", w, h, kLargestSide));
   rgb.assign(offset(0, h), 255);
 }
 
@@ -149,8 +150,8 @@ Image with_caption(const Image& image, const std::string& text) {
 
 Image grid(const std::vector<Image>& images, int columns) {
   if (images.empty() || columns < 1)
-    throw InputError("cannot put " + std::to_string(images.size()) + " images into " +
-                     std::to_string(columns) + " columns: each must be at least 1");
+    throw InputError(fmt::format("cannot put {} images into {} columns: each must be at least 1",
+                                 images.size(), columns));
   const int count = static_cast<int>(images.size());
   columns = std::min(columns, count);
   int width = 0;

@@ -7,7 +7,8 @@
 
 namespace deformlab {
 
-/// An 8-bit sRGB picture, three bytes a pixel, rows from the top down; white when made.
+/// An 8-bit sRGB picture of three bytes for each pixel, in rows from the top down. A new image is
+/// white.
 struct Image {
   Image() = default;
   Image(int width, int height);  ///< throws InputError outside 1..32767 [pixel]
@@ -39,9 +40,9 @@ Image grid(const std::vector<Image>& images, int columns);
 /// The images in one row, each as in `grid`.
 Image side_by_side(const std::vector<Image>& images);
 
-/// Without the white margins, apart from `border` [pixel] of them: one crop for all the images,
-/// which must be of one size, so that what is comparable stays comparable. Images without anything
-/// in them come back as they are.
+/// The images without their white margins, except for a border of `border` pixels. All images are
+/// cut in the same way and must have one size, so that they stay comparable. White images are
+/// returned unchanged.
 std::vector<Image> cropped_alike(const std::vector<Image>& images, int border);
 
 /// Writes a PNG whole or not at all. Throws InputError where the path cannot be written.

@@ -6,11 +6,11 @@
 
 namespace deformlab {
 
-/// Where a ray first meets something.
+/// The first intersection of a ray.
 struct Hit {
   float distance;          ///< in lengths of the ray's direction
   Eigen::Vector3f normal;  ///< of the surface there, any length and orientation
-  int object;              ///< which call of add_… it came from: 0, 1, …
+  int object;              ///< the number of the add_ call that added it, counted from 0
   int element;             ///< the column of that call
   float u, v;              ///< weights of a triangle's second and third corner
 };

@@ -1,5 +1,7 @@
 #include "render/render.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -18,7 +20,7 @@ constexpr float kFadeDepth = 0.06F;      // where it is gone, framed coordinates
 constexpr double kAlike = 10;            // shapes of more different sizes are framed one by one
 constexpr float kForgivenDepth = 2.0F;   // in radii: what is so near the surface counts as on it
 
-/// Directions towards the lights, as the camera sees them: however it stands, the picture is lit.
+/// Directions towards the lights in the axes of the camera, so that every view is lit.
 struct Lights {
   Eigen::Vector3f key, fill, sky;
 
@@ -71,7 +73,7 @@ void lay_balls(const std::vector<Ball>& balls, const View& view, Overlay& overla
   overlay.color[0].resize(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Ball& ball = balls[static_cast<std::size_t>(i)];
-    require_finite(ball.center, ball.radius, ball.color, "ball " + std::to_string(i));
+    require_finite(ball.center, ball.radius, ball.color, fmt::format("ball {}", i));
     columns.col(i) = framed_ball(view, ball.center, ball.radius);
     overlay.color[0].col(i) = to_linear(ball.color);
   }
@@ -86,7 +88,7 @@ void lay_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& ove
   overlay.radius[1].resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Stick& stick = sticks[static_cast<std::size_t>(i)];
-    require_finite(stick.a + stick.b, stick.radius, stick.color, "stick " + std::to_string(i));
+    require_finite(stick.a + stick.b, stick.radius, stick.color, fmt::format("stick {}", i));
     ends.col(2 * i) = framed_ball(view, stick.a, stick.radius);
     ends.col(2 * i + 1) = framed_ball(view, stick.b, stick.radius);
     overlay.radius[1](i) = ends(3, 2 * i);
@@ -95,7 +97,7 @@ void lay_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& ove
   overlay.scene.add_sticks(ends);
 }
 
-/// One picture being made: what a ray sees.
+/// The scene of one picture: it computes the colour that a ray sees.
 struct Scene {
   Scene(const Panel& panel, const View& v, const Eigen::Vector3d& light)
       : view(v), lights(v, light), surface(panel.shape, panel.vertex_colors, v) {
@@ -154,7 +156,7 @@ void render_row(const Scene& scene, int y, int samples, Image& image) {
   }
 }
 
-// Whether all show at one scale, seen by one camera; a sweep over shapes may not.
+// Whether one scale and one camera suit all panels, which is not so in a sweep over shapes.
 bool are_alike(const std::vector<Panel>& panels) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Panel& panel : panels) {
@@ -173,8 +175,7 @@ Eigen::Matrix3Xd tinted(const Shape& shape, const std::vector<int>& vertices, co
   Eigen::Matrix3Xd all = colors::kSurface.replicate(1, shape.V.cols());
   for (const int v : vertices) {
     if (v < 0 || v >= shape.V.cols())
-      throw InputError("cannot tint vertex " + std::to_string(v) + ": the shape has " +
-                       std::to_string(shape.V.cols()));
+      throw InputError(fmt::format("cannot tint vertex {}: the shape has {}", v, shape.V.cols()));
     all.col(v) = color;
   }
   return all;
@@ -206,8 +207,8 @@ Eigen::Matrix3Xd extent(const std::vector<Panel>& panels) {
 
 Image render(const Panel& panel, const View& view, const RenderOptions& options) {
   if (options.samples < 1)
-    throw InputError("cannot render with " + std::to_string(options.samples) +
-                     " samples: at least 1 is needed");
+    throw InputError(
+        fmt::format("cannot render with {} samples: at least 1 is needed", options.samples));
   Image image(options.width, options.height);
   const Scene scene(panel, view, options.light);
   Workers(options.threads).each(image.height, [&](int y) {

@@ -1,5 +1,7 @@
 #include "render/surface.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -33,7 +35,7 @@ Eigen::Matrix3Xf sphere_directions() {
   return D;
 }
 
-/// Median distance to the nearest point at another place; 0 where there is none.
+/// The median distance from a point to the nearest one at another position; 0 where there is none.
 double typical_spacing(const Eigen::Matrix3Xd& P) {
   using Tree =
       nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2_Simple, false>;
@@ -61,8 +63,9 @@ bool any_area(const Eigen::Matrix3Xd& P, const Eigen::Matrix3Xi& triangles) {
 
 Eigen::Matrix3Xf linear_colors(const Eigen::Matrix3Xd& colors, Eigen::Index count) {
   if (colors.cols() != 0 && colors.cols() != count)
-    throw InputError("cannot colour " + std::to_string(count) + " vertices with " +
-                     std::to_string(colors.cols()) + " colours: give one a vertex, or none");
+    throw InputError(
+        fmt::format("cannot colour {} vertices with {} colours: give one for each vertex, or none",
+                    count, colors.cols()));
   if (!colors.allFinite()) throw InputError("cannot draw vertex colours that are not finite");
   Eigen::Matrix3Xf linear(3, count);
   if (colors.cols() == 0) return linear.colwise() = to_linear(colors::kSurface), linear;

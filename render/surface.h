@@ -10,15 +10,16 @@
 
 namespace deformlab {
 
-/// What the lights need to know of a place on a surface.
+/// What shading needs to know about a point of a surface.
 struct SurfacePoint {
   Eigen::Vector3f normal;  ///< unit, on the side that the ray comes from
   Eigen::Vector3f color;   ///< linear, not sRGB
   float openness;          ///< 1 less the ambient occlusion
 };
 
-/// A shape made ready to be looked at, in the view's framed coordinates. Both sides of a face show:
-/// soups and open sheets have no orientation. Where no triangle has an area the vertices are balls.
+/// A shape prepared for rays, in the framed coordinates of a view. Both sides of a face are
+/// visible, because soups and open sheets have no orientation. Where no triangle has an area, the
+/// vertices are drawn as balls.
 class Surface {
  public:
   /// `shape` may be null; `colors` is 3×#V sRGB or 3×0.
@@ -39,10 +40,10 @@ class Surface {
   Eigen::Matrix3Xi triangles_;   // 3×0: the vertices are drawn as balls
   Eigen::Matrix3Xf directions_;  // where occluders are looked for
   bool has_normals_ = true;      // else dots are shaded as balls, and N_ points to the eye
-  float clearance_ = 0;          // how far above a vertex that begins
+  float clearance_ = 0;          // distance above a vertex at which the search for occluders begins
 
-  // Front and back of every vertex, negative until somebody looks at it. Threads that meet at a
-  // vertex find the same number, so it does not matter whose stays.
+  // For the front and the back of every vertex; negative until it is needed. Threads that compute
+  // the same entry find the same number, so that it does not matter which of them writes last.
   mutable std::vector<std::atomic<float>> openness_;
 };
 

@@ -1,5 +1,6 @@
 #include "drawing/bitmap/bitmap.h"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <cmath>
@@ -36,11 +37,11 @@ std::string size_problem(double width, double height) {
   const bool fits = width >= 1 && height >= 1 && width <= kSide && height <= kSide;
   if (fits && width * height <= kMost) return "";
   const auto words = [](double side) {
-    return std::abs(side) < 1e15 ? std::to_string(static_cast<long>(side)) : "endlessly many";
+    return std::abs(side) < 1e15 ? fmt::format("{}", static_cast<long>(side)) : "endlessly many";
   };
-  return words(width) + "×" + words(height) + " pixels: each side must lie in 1.." +
-         std::to_string(Bitmap::kLargestSide) + ", and both give at most " +
-         std::to_string(Bitmap::kMostPixels / 1'000'000) + " million pixels";
+  return fmt::format(
+      "{}×{} pixels: each side must lie in 1..{}, and both give at most {} million pixels",
+      words(width), words(height), int{Bitmap::kLargestSide}, Bitmap::kMostPixels / 1'000'000);
 }
 
 Eigen::ArrayXXf alpha_of(const Bitmap& bitmap) {

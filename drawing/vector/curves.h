@@ -7,7 +7,8 @@ namespace deformlab {
 /// The polygon through the corners (2×n), each side a straight cubic; closed: back to the first.
 Curve polygon(const Eigen::Matrix2Xd& corners, bool closed = true);
 
-/// The same curve in pieces whose control polygons are no longer than `longest` [length].
+/// The same curve, divided into pieces whose control polygons have at most the length `longest`
+/// [length].
 Curve cut(const Curve& curve, double longest);
 
 /// A fill or stroke of one colour (straight sRGB and alpha, 0 … 1).

@@ -1,6 +1,7 @@
 #include "drawing/vector/normalized_svg.h"
 
 #include <cairo-svg.h>
+#include <fmt/format.h>
 #include <librsvg/rsvg.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr double kUnitsAcross = 1 << 21;
 constexpr double kMostAcross = 1e6;  // pixels
 
-/// Above what any sheet in the file says. Without text no font is looked for.
+/// It overrules the style sheets of the file. Because text is not shown, no font is searched for.
 constexpr std::string_view kStyleSheet =
     "text, image, foreignObject { display: none !important }"
     "* { filter: none !important; mask: none !important }";
@@ -31,7 +32,7 @@ struct Unref {
   void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
 };
 
-/// Calls function(…, &error) and throws what it complains of.
+/// Calls function(&error); where it fails, throws InputError with its message.
 template <class Function>
 auto checked_call(const fs::path& name, const Function& function) {
   GError* raw = nullptr;
@@ -61,7 +62,8 @@ std::unique_ptr<RsvgHandle, Unref> open(const std::string& bytes, const fs::path
   return handle;
 }
 
-/// The page's size: what the file says, else its view box, else what it paints.
+/// Sets the size of the page: the one that the file states, else that of its view box, else the
+/// extent of what it paints.
 void set_size(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &svg.width, &svg.height) == 0) {
     gboolean has_box = 0;
@@ -81,10 +83,10 @@ void set_size(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
   if (!(svg.width > 0 && svg.height > 0)) cannot_read(name, "it shows nothing: its page is empty");
   const double longer = std::max(svg.width, svg.height);
   if (!(longer <= kMostAcross && std::min(svg.width, svg.height) >= longer / kMostAcross))
-    cannot_read(name, "its page is " + std::to_string(svg.width) + "×" +
-                          std::to_string(svg.height) +
-                          " pixels; at most a million pixels, and a "
-                          "million times as long as wide, are allowed");
+    cannot_read(name,
+                fmt::format("its page is {}×{} pixels; at most a million pixels, and a million "
+                            "times as long as wide, are allowed",
+                            svg.width, svg.height));
 }
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
@@ -105,7 +107,7 @@ void paint(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
     cannot_read(name, cairo_status_to_string(cairo_surface_status(surface.get())));
 }
 
-/// What in the file the style sheet hides, and references that lead out of it.
+/// Counts what our style sheet hides, and references to other files.
 struct Hidden : pugi::xml_tree_walker {
   std::map<std::string, int> counts;
 
@@ -143,7 +145,7 @@ NormalizedSvg normalized_svg(const std::string& bytes, const fs::path& name) {
   Hidden hidden;
   if (document.load_buffer(bytes.data(), bytes.size())) document.traverse(hidden);
   for (const auto& [what, count] : hidden.counts)
-    svg.notes.push_back("left out: " + what + " (" + std::to_string(count) + ")");
+    svg.notes.push_back(fmt::format("left out: {} ({})", what, count));
   return svg;
 }
 

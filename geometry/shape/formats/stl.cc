@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <unordered_map>
-#include <utility>
 
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -36,11 +35,10 @@ Layout read_binary(std::string_view bytes, const std::string& name) {
                             "which take {} bytes; it has {}",
                             facets, kBodyAt + kFacetSize * facets, bytes.size()));
   }
-  for (auto [numbers, each] :
-       {std::pair(&layout.normals, std::size_t{3}), {&layout.positions, std::size_t{9}}}) {
-    numbers->values.reserve(each * facets);
-    numbers->sources.reserve(each * facets);
-  }
+  layout.normals.values.reserve(3 * facets);
+  layout.normals.sources.reserve(3 * facets);
+  layout.positions.values.reserve(9 * facets);
+  layout.positions.sources.reserve(9 * facets);
   for (std::size_t facet = 0; facet < facets; ++facet) {
     for (std::size_t i = 0; i < 12; ++i) {
       const std::size_t at = kBodyAt + kFacetSize * facet + sizeof(float) * i;
