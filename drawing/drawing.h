@@ -41,9 +41,13 @@ struct DrawingOptions {
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     TraceOptions::fields(o.trace, visit);
-    visit("background", o.background, "how far colours of a plain background may differ, 0 … 1");
-    visit("outline", o.outline, "pixels along the longer side when curves are traced");
-    visit("piece", o.piece, "longest piece of a curve, as a part of the page's diagonal");
+    visit.range("background", o.background, {.min = 0, .max = 1},
+                "How far the colours of a plain background may differ, where 1 is the distance of "
+                "black and white in one channel");
+    visit.range("outline", o.outline, {.min = 16, .max = 10'000},
+                "The resolution at which curves are traced, along the page's longer side [pixel]");
+    visit.range("piece", o.piece, {.min = 1e-4, .max = 1},
+                "The longest piece into which a curve is cut, as a share of the page's diagonal");
   }
 };
 

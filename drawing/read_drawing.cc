@@ -173,16 +173,6 @@ Drawing read_mesh(const fs::path& path) {
   return drawing;
 }
 
-void check(const DrawingOptions& o) {
-  const auto require = [](bool good, const char* key, double value, const char* allowed) {
-    if (good) return;
-    throw InputError(fmt::format("{} is {}; it must be {}", key, value, allowed));
-  };
-  require(o.background >= 0 && o.background <= 1, "background", o.background, "0 … 1");
-  require(o.outline >= 16 && o.outline <= 10000, "outline", o.outline, "16 … 10,000");
-  require(o.piece >= 1e-4 && o.piece <= 1, "piece", o.piece, "0.0001 … 1");
-}
-
 Drawing read_by_extension(const fs::path& path, const DrawingOptions& options) {
   const std::string extension = extension_of(path);
   if (extension == ".png") return read_bitmap(path, options);
@@ -199,7 +189,7 @@ Drawing read_by_extension(const fs::path& path, const DrawingOptions& options) {
 }  // namespace
 
 Drawing read_drawing(const fs::path& path, const DrawingOptions& options) {
-  check(options);
+  check_options(options);
   Drawing drawing = read_by_extension(path, options);
   drawing.file = path;
   return drawing;

@@ -23,8 +23,6 @@ std::string text_of(const char* format, double a, double b, double c, double d) 
 
 double resolution_for(const Drawing& drawing, double asked) {
   constexpr double kLeast = 200, kMost = 4000, kAcross = 1000;  // [pixel]
-  if (!(asked >= 0 && asked <= 1e6))
-    throw InputError(fmt::format("resolution is {}; it must be 0 … 1,000,000", asked));
   if (asked > 0) return asked;
   const double longer = drawing.page.sizes().maxCoeff();
   const bool has_pixels = drawing.bitmap || extension_of(drawing.file) == ".svg";
@@ -86,6 +84,7 @@ void check_output(const fs::path& out, const Drawing& drawing) {
 std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& drawing,
                                        const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
                                        const DrawingOutputOptions& options) {
+  check_options(options);
   check_output(out, drawing.drawing());
   const double resolution = resolution_for(drawing.drawing(), options.resolution);
   const Page& own = drawing.drawing().page;

@@ -20,11 +20,14 @@ struct DrawingOutputOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("resolution", o.resolution, "pixels of a PNG a unit of length; 0: those of the drawing");
-    visit("grow", o.grow, "false: the page stays as it is, and what leaves it is cut off");
+    visit.range("resolution", o.resolution, {.min = 0, .max = 1e6},
+                "The resolution of a PNG in pixels for each unit of length; 0 keeps that of the "
+                "drawing [pixel/length]");
+    visit("grow", o.grow,
+          "Whether the page grows to hold the shape; otherwise what leaves the page is cut off");
     visit("stages", o.stages,
-          "true: the meshes of a rigid shape's stages beside it, OUT.intermediate.obj, "
-          "OUT.fitted.obj");
+          "Whether the meshes of arap_2d's stages are written beside the drawing, as "
+          "OUT.intermediate.obj and OUT.fitted.obj");
   }
 };
 

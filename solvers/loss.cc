@@ -4,33 +4,21 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
-
-#include "geometry/core/error.h"
 
 namespace deformlab {
-namespace {
-
-// Beyond, a² swallows what is added to it.
-constexpr double kLeastScale = 1e-6, kMostScale = 1e3;
-
-}  // namespace
-
-std::shared_ptr<const ceres::LossFunction> make_loss(const LossOptions& options,
-                                                     const std::string& name) {
-  const double a = options.scale;
-  if (!(a >= kLeastScale && a <= kMostScale)) {
-    std::ostringstream message;
-    message << name << ".scale is " << a << "; it lies between " << kLeastScale << " and "
-            << kMostScale << ", in length_units; for no loss set " << name << ".kind: none";
-    throw InputError(message.str());
+std::shared_ptr<const ceres::LossFunction> make_loss(const LossOptions& options) {
+  check_options(options);
+  switch (options.kind) {
+    case LossKind::kNone:
+      break;
+    case LossKind::kHuber:
+      return std::make_shared<ceres::HuberLoss>(options.scale);
+    case LossKind::kCauchy:
+      return std::make_shared<ceres::CauchyLoss>(options.scale);
+    case LossKind::kTukey:
+      return std::make_shared<ceres::TukeyLoss>(options.scale);
   }
-  if (options.kind == "none") return nullptr;
-  if (options.kind == "huber") return std::make_shared<ceres::HuberLoss>(a);
-  if (options.kind == "cauchy") return std::make_shared<ceres::CauchyLoss>(a);
-  if (options.kind == "tukey") return std::make_shared<ceres::TukeyLoss>(a);
-  throw InputError("unknown " + name + ".kind '" + options.kind +
-                   "'; known: none, huber, cauchy, tukey");
+  return nullptr;
 }
 
 double squared_sum(const Eigen::MatrixXd& r, const ceres::LossFunction* loss) {

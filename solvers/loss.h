@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
-#include <string>
+
+#include "geometry/core/options.h"
 
 namespace ceres {
 class LossFunction;
@@ -17,22 +19,30 @@ namespace deformlab {
 ///   tukey   a²/3 (1 − (1 − s/a²)³), then a²/3: beyond a nothing pulls at all
 /// The last two are not convex: handles that begin many a from their targets may stay there; then a
 /// greater a, or a drag in smaller steps, brings them on their way.
+enum class LossKind { kNone, kHuber, kCauchy, kTukey };
+constexpr auto names_of(LossKind) {
+  using enum LossKind;
+  return std::to_array<EnumName<LossKind>>(
+      {{kNone, "none"}, {kHuber, "huber"}, {kCauchy, "cauchy"}, {kTukey, "tukey"}});
+}
+
+/// The loss of one energy term.
 struct LossOptions {
-  std::string kind = "none";
+  LossKind kind = LossKind::kNone;
   double scale = 1;  ///< a, in the unit of the residual: for lengths, the energy's own unit
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("kind", o.kind, {"none", "huber", "cauchy", "tukey"}, "ρ");
-    visit("scale", o.scale,
-          "the residual that it begins to doubt, in length_units; from 1e-6 to 1000");
+    visit("kind", o.kind, "The robust loss of the term");
+    // Beyond this range a² swallows what is added to it.
+    visit.range("scale", o.scale, {.min = 1e-6, .max = 1e3},
+                "The size of a residual above which the loss pulls less than its square "
+                "[length_unit]");
   }
 };
 
-/// The loss, null for "none". Throws InputError, in which `name` is what the options are called,
-/// for an unknown kind or a scale out of range.
-std::shared_ptr<const ceres::LossFunction> make_loss(const LossOptions& options,
-                                                     const std::string& name);
+/// The loss, null for "none". Throws OptionError for a scale out of range.
+std::shared_ptr<const ceres::LossFunction> make_loss(const LossOptions& options);
 
 /// Σ_e ρ(‖r_e‖²) of residuals, rows × elements; ρ(s) = s where there is no loss.
 double squared_sum(const Eigen::MatrixXd& r, const ceres::LossFunction* loss);

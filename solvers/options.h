@@ -1,57 +1,113 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
+
+#include "geometry/core/options.h"
 
 namespace deformlab {
 
-/// Everything a solve can be told; the same for every method.
+/// Who minimises: our Gauss–Newton, or Ceres Solver.
+enum class SolverMethod { kGaussNewton, kCeres };
+constexpr auto names_of(SolverMethod) {
+  using enum SolverMethod;
+  return std::to_array<EnumName<SolverMethod>>({{kGaussNewton, "gauss_newton"}, {kCeres, "ceres"}});
+}
+
+/// How Ceres bounds its steps.
+enum class CeresTrustRegion { kLevenbergMarquardt, kDogleg };
+constexpr auto names_of(CeresTrustRegion) {
+  using enum CeresTrustRegion;
+  return std::to_array<EnumName<CeresTrustRegion>>(
+      {{kLevenbergMarquardt, "levenberg_marquardt"}, {kDogleg, "dogleg"}});
+}
+
+/// The library that factors Ceres' sparse matrices.
+enum class CeresSparseLibrary { kSuiteSparse, kEigenSparse, kCxSparse };
+constexpr auto names_of(CeresSparseLibrary) {
+  using enum CeresSparseLibrary;
+  return std::to_array<EnumName<CeresSparseLibrary>>(
+      {{kSuiteSparse, "suite_sparse"}, {kEigenSparse, "eigen_sparse"}, {kCxSparse, "cx_sparse"}});
+}
+
+/// What a parameter block of Ceres is: one column of a node, so that derivatives that are zero are
+/// left out and the factor stays sparse, or a whole node, which gives fewer and denser blocks and
+/// is a little faster on small graphs.
+enum class CeresBlocks { kColumn, kNode };
+constexpr auto names_of(CeresBlocks) {
+  using enum CeresBlocks;
+  return std::to_array<EnumName<CeresBlocks>>({{kColumn, "column"}, {kNode, "node"}});
+}
+
+/// The linear solvers that a method knows by name, after "auto".
+inline std::vector<std::string> linear_solver_names(SolverMethod method) {
+  if (method == SolverMethod::kGaussNewton) return {"cholmod", "eigen_ldlt", "kronecker_cg"};
+  return {"dense_qr",    "dense_normal_cholesky", "sparse_normal_cholesky",
+          "dense_schur", "sparse_schur",          "iterative_schur",
+          "cgnr"};
+}
+
+/// "auto" and the linear solvers of all methods.
+inline std::vector<std::string> linear_solver_names() {
+  std::vector<std::string> names{"auto"};
+  for (const auto& entry : names_of(SolverMethod{})) {
+    for (std::string& name : linear_solver_names(entry.value)) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+inline std::vector<std::string> globalization_names() {
+  return {"none", "line_search", "levenberg", "accelerated"};
+}
+
+/// The options of a solver. They are the same for every method.
 struct SolverOptions {
-  std::string method = "gauss_newton";  ///< gauss_newton | ceres
-  /// Of gauss_newton: cholmod (the paper's way, a factorization in each step), eigen_ldlt (the same
-  /// without BLAS), kronecker_cg (conjugate gradients, preconditioned by one small factorization
-  /// for a set of handles: the fastest where terms are Kronecker). Of ceres: dense_qr,
-  /// dense_normal_cholesky, sparse_normal_cholesky, dense_schur, sparse_schur, iterative_schur,
-  /// cgnr. auto: kronecker_cg where the terms suit it, and cholmod where they do not or where it
-  /// turns out too badly conditioned; sparse_normal_cholesky for ceres.
+  SolverMethod method = SolverMethod::kGaussNewton;
+  /// For gauss_newton: cholmod factors JᵀJ in each step, as the paper does; eigen_ldlt does the
+  /// same without BLAS; kronecker_cg runs conjugate gradients, which one small factorization for a
+  /// set of handles preconditions, and is the fastest where most terms have the Kronecker
+  /// structure. With auto, kronecker_cg is taken where the terms suit it, and cholmod where they do
+  /// not or where the equations turn out to be too badly conditioned. For ceres: the names that
+  /// Ceres Solver documents; auto is sparse_normal_cholesky.
   std::string linear_solver = "auto";
-  /// none: full steps, as in the paper; they can go uphill. line_search: the step is halved until F
-  /// falls. levenberg: damped by λ diag(JᵀJ), which is what ceres always does. accelerated: the
-  /// directions are made conjugate, their lengths interpolated, and those that are poor bent or
-  /// damped: fewer steps than the other three on every scene that was tried.
+  /// none takes full steps, as in the paper; they can go uphill. line_search halves a step until F
+  /// falls. levenberg damps it by λ diag(JᵀJ), which is what ceres always does. accelerated makes
+  /// directions conjugate and interpolates their lengths; a poor step is corrected by geodesic
+  /// acceleration or damped.
   std::string globalization = "accelerated";
-  std::string ceres_trust_region = "levenberg_marquardt";  ///< or dogleg
-  std::string ceres_sparse_library = "suite_sparse";       ///< or eigen_sparse | cx_sparse
-  /// column: one parameter block a column of a node, so that zero derivatives are left out and the
-  /// factor stays sparse; node: one a node, fewer and denser (a little faster on small graphs).
-  std::string ceres_blocks = "column";
+  CeresTrustRegion ceres_trust_region = CeresTrustRegion::kLevenbergMarquardt;
+  CeresSparseLibrary ceres_sparse_library = CeresSparseLibrary::kSuiteSparse;
+  CeresBlocks ceres_blocks = CeresBlocks::kColumn;
   double epsilon = 1e-6;  ///< ε of Eq. 12
   int max_iterations = 100;
-  /// Of the solver and the transfer. The result does not depend on them, but for Ceres' rounding.
-  int threads = 1;
+  int threads = 1;  ///< apart from Ceres' rounding, the result does not depend on their number
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("method", o.method, {"gauss_newton", "ceres"}, "who minimises");
-    visit.choice(
-        "linear_solver", o.linear_solver,
-        {"auto", "cholmod", "eigen_ldlt", "kronecker_cg", "dense_qr", "dense_normal_cholesky",
-         "sparse_normal_cholesky", "dense_schur", "sparse_schur", "iterative_schur", "cgnr"},
-        "gauss_newton: cholmod, eigen_ldlt, kronecker_cg; ceres: the others; auto: the fastest "
-        "that suits the terms");
-    visit.choice(
-        "globalization", o.globalization, {"none", "line_search", "levenberg", "accelerated"},
-        "of gauss_newton: full steps (the paper's), halved steps, damped ones, or conjugate "
-        "ones of interpolated length");
-    visit.choice("ceres_trust_region", o.ceres_trust_region, {"levenberg_marquardt", "dogleg"},
-                 "of ceres");
-    visit.choice("ceres_sparse_library", o.ceres_sparse_library,
-                 {"suite_sparse", "eigen_sparse", "cx_sparse"}, "of ceres");
-    visit.choice("ceres_blocks", o.ceres_blocks, {"column", "node"},
-                 "of ceres: what its parameter blocks are");
-    visit("epsilon", o.epsilon, "of the three conditions of Eq. 12");
-    visit("max_iterations", o.max_iterations, "steps at most");
-    visit("threads", o.threads,
-          "of the solver and the transfer; they do not change the result, but for Ceres' rounding");
+    visit("method", o.method, "The solver that minimises the energy");
+    visit.choice("linear_solver", o.linear_solver, linear_solver_names(),
+                 "How the linear equations of a step are solved. cholmod, eigen_ldlt and "
+                 "kronecker_cg belong to gauss_newton, the others to ceres, and auto takes the "
+                 "fastest that suits the energy terms");
+    visit.choice("globalization", o.globalization, globalization_names(),
+                 "How gauss_newton chooses the length of a step: full steps as in the paper "
+                 "(none), halved until the energy falls (line_search), damped (levenberg), or "
+                 "along conjugate directions with interpolated lengths (accelerated)");
+    visit("ceres_trust_region", o.ceres_trust_region, "How ceres bounds its steps");
+    visit("ceres_sparse_library", o.ceres_sparse_library,
+          "The library with which ceres factors sparse matrices");
+    visit("ceres_blocks", o.ceres_blocks,
+          "What a parameter block of ceres is: a column of a node's unknowns, or a whole node");
+    visit.range("epsilon", o.epsilon,
+                {.min = 0, .max = 1, .exclusive_min = true, .exclusive_max = true},
+                "The tolerance of the three conditions of convergence (Sumner et al. 2007, "
+                "Eq. 12); the paper uses 1e-6");
+    visit.range("max_iterations", o.max_iterations, {.min = 1},
+                "The solver stops after this number of steps even if it has not converged");
+    visit.range("threads", o.threads, {.min = 1, .max = 1024},
+                "The number of threads of the solver. It does not change the result, apart from "
+                "the rounding of ceres");
   }
 };
 

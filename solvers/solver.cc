@@ -1,34 +1,24 @@
 #include "solvers/solver.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
-#include "geometry/core/error.h"
 #include "solvers/ceres/ceres_solver.h"
 #include "solvers/gauss_newton/gauss_newton.h"
 
 namespace deformlab {
 namespace {
 
-constexpr int kMostThreads = 1024;
-
-void check(const SolverOptions& o) {
-  if (!(o.epsilon > 0 && o.epsilon < 1)) {
-    throw InputError("solver.epsilon is " + std::to_string(o.epsilon) +
-                     "; it lies between 0 and 1 (the paper uses 1e-6)");
-  }
-  if (o.max_iterations < 1) {
-    throw InputError("solver.max_iterations is " + std::to_string(o.max_iterations) +
-                     "; at least 1 is needed");
-  }
-  if (o.threads < 1 || o.threads > kMostThreads) {
-    throw InputError("solver.threads is " + std::to_string(o.threads) + "; it lies between 1 and " +
-                     std::to_string(kMostThreads));
-  }
-  if (o.globalization != "none" && o.globalization != "accelerated" &&
-      o.globalization != "line_search" && o.globalization != "levenberg") {
-    throw InputError("unknown solver.globalization '" + o.globalization +
-                     "'; known: none, line_search, levenberg, accelerated");
-  }
+// The linear solver is one of the method's own.
+void check_linear_solver(const SolverOptions& options) {
+  const std::vector<std::string> names = linear_solver_names(options.method);
+  const std::string& name = options.linear_solver;
+  if (name == "auto" || std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw OptionError("linear_solver", fmt::format("'{}'", name),
+                    fmt::format(", which is not one of {}'s; known: auto, {}",
+                                name_of(options.method), fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -55,10 +45,10 @@ bool converged(double cost, double previous_cost, double gradient_max, double st
 }
 
 std::unique_ptr<Solver> make_solver(const SolverOptions& options) {
-  check(options);
-  if (options.method == "gauss_newton") return std::make_unique<GaussNewton>(options);
-  if (options.method == "ceres") return std::make_unique<CeresSolver>(options);
-  throw InputError("unknown solver.method '" + options.method + "'; known: gauss_newton, ceres");
+  check_options(options);
+  check_linear_solver(options);
+  if (options.method == SolverMethod::kCeres) return std::make_unique<CeresSolver>(options);
+  return std::make_unique<GaussNewton>(options);
 }
 
 }  // namespace deformlab

@@ -18,8 +18,8 @@ class Solver {
   virtual Summary solve(Problem& problem) = 0;
 };
 
-/// The solver that options.method names. Throws InputError for an option that does not exist or
-/// does not go with the method.
+/// The solver that options.method names. Throws OptionError for a value that the description of its
+/// field does not allow, and for a linear solver that the method does not have.
 std::unique_ptr<Solver> make_solver(const SolverOptions& options);
 
 /// Eq. 12: the change of F, its gradient and the step are all small.

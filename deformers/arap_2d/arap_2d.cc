@@ -15,23 +15,18 @@ namespace {
 
 constexpr double kOutside = 1e-9;    // of the extent: rounding
 constexpr double kAtCorner = 1e-12;  // barycentric coordinates below it are 0
-constexpr int kMostRefinements = 100000;
 
 std::unique_ptr<TwoStepSolver> make_steps(const Triangulation& rest, const Eigen::VectorXd& weights,
                                           const Arap2dOptions& options) {
-  if (options.refinements < 0 || options.refinements > kMostRefinements) {
-    throw InputError("arap_2d.refinements is " + std::to_string(options.refinements) +
-                     "; it is 0, the paper's way, to " + std::to_string(kMostRefinements));
-  }
+  check_options(options);
   const Eigen::VectorXd stiffness =
       weights.size() > 0 ? weights : Eigen::VectorXd::Ones(rest.F.cols());
-  if (options.steps == "closed_form") {
-    return std::make_unique<TwoStep>(rest, stiffness, options.refinements);
+  if (options.steps == TwoStepMethod::kStages) {
+    return inside_option("solver", [&]() -> std::unique_ptr<TwoStepSolver> {
+      return std::make_unique<StagedSteps>(rest, stiffness, options.refinements, options.solver);
+    });
   }
-  if (options.steps == "stages") {
-    return std::make_unique<StagedSteps>(rest, stiffness, options.refinements, options.solver);
-  }
-  throw InputError("unknown arap_2d.steps '" + options.steps + "'; known: closed_form, stages");
+  return std::make_unique<TwoStep>(rest, stiffness, options.refinements);
 }
 
 double det(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {

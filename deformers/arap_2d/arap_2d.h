@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "deformers/arap_2d/two_step_solver.h"
@@ -12,24 +12,35 @@
 
 namespace deformlab {
 
-/// What the rigid 2D shape can be told.
+/// How the two steps are computed. closed_form: all that does not depend on the targets is computed
+/// before (TwoStep). stages: the same two steps are minimised by a general solver (StagedSteps), to
+/// compare with.
+enum class TwoStepMethod { kClosedForm, kStages };
+constexpr auto names_of(TwoStepMethod) {
+  using enum TwoStepMethod;
+  return std::to_array<EnumName<TwoStepMethod>>(
+      {{kClosedForm, "closed_form"}, {kStages, "stages"}});
+}
+
+/// The options of as-rigid-as-possible manipulation of drawings.
 struct Arap2dOptions {
-  /// closed_form: all that does not depend on the targets is computed before (TwoStep). stages: the
-  /// same two steps as stages of a general solver (StagedSteps), to compare with.
-  std::string steps = "closed_form";
-  /// How often step two is repeated with rotations fitted to its own result. 0 is the paper's; many
-  /// come to the minimum of the as-rigid-as-possible energy.
+  TwoStepMethod steps = TwoStepMethod::kClosedForm;
+  /// How often step two is repeated with rotations that are fitted to its own result. The paper
+  /// does not repeat it; many repetitions come to the minimum of the as-rigid-as-possible energy.
   int refinements = 0;
-  /// Of stages. Ceres' dogleg begins with a full step, which ends a linear stage.
-  SolverOptions solver = {.ceres_trust_region = "dogleg", .epsilon = 1e-14};
+  /// Of `stages`. Ceres' dogleg begins with a full step, which solves a linear problem at once.
+  SolverOptions solver = {.ceres_trust_region = CeresTrustRegion::kDogleg, .epsilon = 1e-14};
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("steps", o.steps, {"closed_form", "stages"},
-                 "closed_form, or stages: the same by a general solver, to compare with");
-    visit("refinements", o.refinements,
-          "how often step two is repeated with rotations fitted to its result; 0 is the paper's");
-    visit("solver", o.solver, "of stages: how each is minimised");
+    visit(
+        "steps", o.steps,
+        "How the two steps of the method are computed: in closed form, or as stages that a general "
+        "solver minimises, to compare with");
+    visit.range("refinements", o.refinements, {.min = 0, .max = 100'000},
+                "How often step two is repeated with rotations fitted to its own result; the paper "
+                "does not repeat it");
+    visit("solver", o.solver, "The solver that minimises the stages");
   }
 };
 

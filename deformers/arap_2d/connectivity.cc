@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
+#include "geometry/core/disjoint_sets.h"
 #include "geometry/core/error.h"
 #include "geometry/shape/shape.h"
 
@@ -15,27 +15,6 @@ namespace {
 
 constexpr double kMostContrast = 1e6;  // of weights: beyond it too few digits are left
 constexpr double kHingeWeight = 1e-3;  // of the lesser weight of the two triangles
-
-// Union-find.
-class Sets {
- public:
-  explicit Sets(Eigen::Index count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// False where they were joined already. The least index is a set's root.
-  bool join(int i, int j) {
-    const auto [low, high] = std::minmax({root(i), root(j)});
-    parent_[high] = low;
-    return low != high;
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 std::string named(int f, const Triangulation& mesh) {
   std::ostringstream text;
@@ -84,8 +63,8 @@ void check_weights(const Triangulation& mesh, const Eigen::VectorXd& weights) {
 }
 
 // Triangles that hang together by edges share a root.
-Sets bodies(const Triangulation& mesh) {
-  Sets sets(mesh.F.cols());
+DisjointSets bodies(const Triangulation& mesh) {
+  DisjointSets sets(mesh.F.cols());
   std::map<std::pair<int, int>, int> at_edge;
   for (int f = 0; f < mesh.F.cols(); ++f) {
     for (int c = 0; c < 3; ++c) {
@@ -136,7 +115,7 @@ void check(const Triangulation& mesh, const Eigen::VectorXd& weights) {
 }
 
 std::vector<MeshComponent> components(const Triangulation& mesh) {
-  Sets sets(mesh.V.cols());
+  DisjointSets sets(mesh.V.cols());
   for (const auto corners : mesh.F.colwise()) {
     sets.join(corners[0], corners[1]);
     sets.join(corners[0], corners[2]);

@@ -1,23 +1,19 @@
 #include "deformers/arap_2d/handle_points.h"
 
 #include <Eigen/SVD>
-#include <numeric>
+
+#include "geometry/core/disjoint_sets.h"
 
 namespace deformlab {
 namespace {
 
 constexpr double kSamePlace = 1e-6;  // singular values of C below it count as 0
 
-int root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 // For each place the first of those that are connected with it by shared vertices.
 std::vector<int> first_of_cluster(const std::vector<BarycentricPoint>& places,
                                   Eigen::Index vertices) {
-  std::vector<int> parent(places.size()), at_vertex(vertices, -1);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(std::ssize(places));
+  std::vector<int> at_vertex(vertices, -1);
   for (int i = 0; i < std::ssize(places); ++i) {
     for (int c = 0; c < 3; ++c) {
       if (places[i].b[c] == 0) continue;
@@ -26,12 +22,12 @@ std::vector<int> first_of_cluster(const std::vector<BarycentricPoint>& places,
         other = i;
         continue;
       }
-      const auto [low, high] = std::minmax({root(parent, i), root(parent, other)});
-      parent[high] = low;
+      sets.join(i, other);
     }
   }
-  for (int i = 0; i < std::ssize(places); ++i) parent[i] = root(parent, i);
-  return parent;
+  std::vector<int> first(places.size());
+  for (int i = 0; i < std::ssize(places); ++i) first[i] = sets.root(i);
+  return first;
 }
 
 void decompose(const std::vector<BarycentricPoint>& places, std::vector<int>& column,

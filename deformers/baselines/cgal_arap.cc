@@ -77,13 +77,17 @@ class EngineOf final : public CgalArap::Engine {
   CGAL::Surface_mesh_deformation<Mesh, CGAL::Default, CGAL::Default, variant> deformation_;
 };
 
-std::unique_ptr<CgalArap::Engine> make_engine(const std::string& variant, const Eigen::Matrix3Xd& V,
+std::unique_ptr<CgalArap::Engine> make_engine(CgalArapVariant variant, const Eigen::Matrix3Xd& V,
                                               const Eigen::Matrix3Xi& T) {
-  if (variant == "spokes_and_rims") return std::make_unique<EngineOf<CGAL::SPOKES_AND_RIMS>>(V, T);
-  if (variant == "original") return std::make_unique<EngineOf<CGAL::ORIGINAL_ARAP>>(V, T);
-  if (variant == "smooth_rotations") return std::make_unique<EngineOf<CGAL::SRE_ARAP>>(V, T);
-  throw InputError("unknown variant '" + variant +
-                   "'; known: spokes_and_rims, original, smooth_rotations");
+  switch (variant) {
+    case CgalArapVariant::kOriginal:
+      return std::make_unique<EngineOf<CGAL::ORIGINAL_ARAP>>(V, T);
+    case CgalArapVariant::kSmoothRotations:
+      return std::make_unique<EngineOf<CGAL::SRE_ARAP>>(V, T);
+    case CgalArapVariant::kSpokesAndRims:
+      break;
+  }
+  return std::make_unique<EngineOf<CGAL::SPOKES_AND_RIMS>>(V, T);
 }
 
 // Their cotangents would outweigh all others, and leave no digit of the solution.
@@ -99,20 +103,11 @@ void reject_thin(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
   }
 }
 
-void check(const CgalArapOptions& o) {
-  if (o.iterations < 1) {
-    throw InputError("iterations is " + std::to_string(o.iterations) + "; at least 1 is needed");
-  }
-  if (!(o.tolerance > 0 && o.tolerance < 1)) {
-    throw InputError("tolerance is " + std::to_string(o.tolerance) + "; it lies between 0 and 1");
-  }
-}
-
 }  // namespace
 
 CgalArap::CgalArap(Shape rest, const CgalArapOptions& options)
     : options_(options), rest_(std::move(rest)), deformed_(rest_) {
-  check(options_);
+  check_options(options_);
   {
     Stopwatch watch(seconds_["register"]);
     register_shape();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -8,24 +9,36 @@
 
 #include "deformers/baselines/spokes_and_rims.h"
 #include "deformers/deformer.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 
-/// What CGAL's as-rigid-as-possible deformation can be told.
+/// The energy that CGAL minimises: spokes_and_rims, its own default; original (Sorkine and Alexa
+/// 2007), where negative weights count as 0; or smooth_rotations (Levi and Gotsman 2015).
+enum class CgalArapVariant { kSpokesAndRims, kOriginal, kSmoothRotations };
+constexpr auto names_of(CgalArapVariant) {
+  using enum CgalArapVariant;
+  return std::to_array<EnumName<CgalArapVariant>>({{kSpokesAndRims, "spokes_and_rims"},
+                                                   {kOriginal, "original"},
+                                                   {kSmoothRotations, "smooth_rotations"}});
+}
+
+/// The options of CGAL's as-rigid-as-possible deformation.
 struct CgalArapOptions {
-  /// spokes_and_rims, CGAL's own default; original (Sorkine and Alexa 2007, negative weights taken
-  /// for 0); smooth_rotations (Levi and Gotsman 2015).
-  std::string variant = "spokes_and_rims";
-  int iterations = 100;  ///< at most
-  /// They end where one changes the energy by a smaller share.
-  double tolerance = 1e-4;
+  CgalArapVariant variant = CgalArapVariant::kSpokesAndRims;
+  int iterations = 100;
+  double tolerance = 1e-4;  ///< relative change of the energy
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("variant", o.variant, {"spokes_and_rims", "original", "smooth_rotations"},
-                 "the energy: CGAL's default, that of 2007, or that of 2015");
-    visit("iterations", o.iterations, "at most, each a local and a global step");
-    visit("tolerance", o.tolerance, "they end where one changes the energy by a smaller share");
+    visit("variant", o.variant,
+          "The energy: CGAL's default, that of Sorkine and Alexa 2007, or that of Levi and Gotsman "
+          "2015");
+    visit.range("iterations", o.iterations, {.min = 1},
+                "The greatest number of iterations, each a local and a global step");
+    visit.range("tolerance", o.tolerance,
+                {.min = 0, .max = 1, .exclusive_min = true, .exclusive_max = true},
+                "The iterations end when one changes the energy by a smaller share than this");
   }
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "deformers/baselines/prism_solver.h"
@@ -16,25 +15,11 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  // [mean side]
 
-void check_range(const char* name, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  std::ostringstream message;
-  message << name << " is " << value << "; allowed are " << least << " to " << most;
-  throw InputError(message.str());
-}
-
-void check(const PrimoOptions& o) {
-  check_range("height", o.height, 1e-5, 10);
-  check_range("handle_weight", o.handle_weight, 1e-6, 1e9);
-  check_range("epsilon", o.epsilon, 1e-30, 0.5);
-  check_range("max_iterations", o.max_iterations, 1, 1e6);
-}
-
 }  // namespace
 
 PrimoDeformation::PrimoDeformation(Shape rest, const PrimoOptions& options)
     : options_(options), rest_(std::move(rest)), deformed_(rest_) {
-  check(options_);
+  check_options(options_);
   {
     Stopwatch watch(seconds_["register"]);
     baselines::Surface surface = baselines::surface_of(rest_, "PriMo");

@@ -7,27 +7,32 @@
 
 #include "deformers/baselines/prism_equations.h"
 #include "deformers/deformer.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 
-/// What PriMo can be told.
+/// The options of PriMo.
 struct PrimoOptions {
-  /// Of the prisms [diagonal of the shape's bounding box]: what bending costs beside stretching
-  /// grows with its square, and is the same at any resolution of the mesh.
+  /// The height of the prisms [diagonal of the shape's bounding box]. What bending costs beside
+  /// stretching grows with its square, and is the same at any resolution of the mesh.
   double height = 0.04;
-  /// Of a pin, where the weight of a joint is about 1.
-  double handle_weight = 1000;
-  double epsilon = 1e-6;  ///< of the three conditions of Sumner et al. 2007, Eq. 12
+  double handle_weight = 1000;  ///< of a handle, where the weight of a joint is about 1
+  double epsilon = 1e-6;        ///< of the three conditions of Sumner et al. 2007, Eq. 12
   int max_iterations = 100;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("height", o.height,
-          "of the prisms, in diagonals of the shape's bounding box; higher ones bend less");
-    visit("handle_weight", o.handle_weight,
-          "pull of a handle that has no whole triangle, beside the joints' of about 1");
-    visit("epsilon", o.epsilon, "steps end as in Eq. 12 of embedded deformation");
-    visit("max_iterations", o.max_iterations, "steps at most");
+    visit.range("height", o.height, {.min = 1e-5, .max = 10},
+                "The height of the prisms, as a share of the diagonal of the shape's bounding box; "
+                "higher prisms bend less");
+    visit.range("handle_weight", o.handle_weight, {.min = 1e-6, .max = 1e9},
+                "The weight of a handle that has no whole triangle, where that of a joint is about "
+                "1");
+    visit.range(
+        "epsilon", o.epsilon, {.min = 1e-30, .max = 0.5},
+        "The tolerance of the three conditions of convergence (Sumner et al. 2007, Eq. 12)");
+    visit.range("max_iterations", o.max_iterations, {.min = 1, .max = 1e6},
+                "The solver stops after this number of steps even if it has not converged");
   }
 };
 

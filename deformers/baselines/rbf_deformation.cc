@@ -17,16 +17,6 @@ namespace {
 constexpr double kThin = 1e-4;
 constexpr Eigen::Index kChunk = 512;  // vertices whose basis is made at once where it is not kept
 
-void check(const RbfOptions& o) {
-  if (o.max_centers < 1 || o.max_centers > 20000) {
-    throw InputError("max_centers is " + std::to_string(o.max_centers) +
-                     "; allowed are 1 to 20000, each costs a row of a dense matrix");
-  }
-  if (o.megabytes < 0) {
-    throw InputError("megabytes is " + std::to_string(o.megabytes) + "; allowed are 0 and more");
-  }
-}
-
 Eigen::Matrix3Xd side_by_side(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
   Eigen::Matrix3Xd result(3, a.cols() + b.cols());
   result << a, b;
@@ -45,7 +35,7 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& F) {
 RbfDeformation::RbfDeformation(Shape rest, const RbfOptions& options)
     : options_(options), rest_(std::move(rest)), deformed_(rest_) {
   deformlab::check(rest_, "the shape");
-  check(options_);
+  check_options(options_);
   compile({});
 }
 

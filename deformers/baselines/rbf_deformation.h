@@ -6,20 +6,22 @@
 #include <vector>
 
 #include "deformers/deformer.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 
-/// What the deformation by radial basis functions can be told.
+/// The options of deformation by radial basis functions.
 struct RbfOptions {
-  int max_centers = 1000;  ///< n at most; the basis has 8 n bytes a vertex
-  int megabytes = 1000;    ///< that the basis at all vertices may take to be kept between updates
+  int max_centers = 1000;  ///< the greatest n; the basis takes 8 n bytes a vertex
+  int megabytes = 1000;  ///< for the basis at all vertices; a larger one is computed anew each time
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("max_centers", o.max_centers,
-          "centres of basis functions at most: all handles, or as many spread over them");
-    visit("megabytes", o.megabytes,
-          "that the basis at the vertices may take to be kept between updates");
+    visit.range("max_centers", o.max_centers, {.min = 1, .max = 20000},
+                "The greatest number of basis functions: one for each handle, or as many spread "
+                "over them. Each costs a row of a dense matrix");
+    visit.range("megabytes", o.megabytes, {.min = 0},
+                "The memory in which the basis at the vertices may be kept between updates [MB]");
   }
 };
 

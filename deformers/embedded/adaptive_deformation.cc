@@ -7,39 +7,40 @@
 #include <queue>
 #include <utility>
 
-#include "geometry/core/error.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
 
 constexpr double kNothing = 1e-20;  // F below this is what rounding leaves of it at rest
 
-void check(const GraphOptions& o) {
-  const auto& [start, rounds] = o.adaptive;
-  if (o.method == "file") {
-    throw InputError(
-        "graph.adaptive adds nodes, but graph.method is file, and a graph made by hand keeps its "
-        "nodes; use another method, or make graph.adaptive.start 0");
+void check(const GraphOptions& graph, const AdaptiveOptions& adaptive) {
+  check_options(adaptive);
+  const int start = adaptive.start, rounds = adaptive.rounds;
+  if (graph.method == NodePlacement::kFile) {
+    throw OptionError("start", fmt::format("{}", start),
+                      ", but graph.method is file, and such a graph has nodes of its own; use "
+                      "another method, or start: 0");
   }
-  if (start < 1 || start >= o.nodes) {
-    throw InputError(fmt::format(
-        "graph.adaptive.start is {}; it is at least 1 and less than graph.nodes, which is {}",
-        start, o.nodes));
+  if (start < 1 || start >= graph.nodes) {
+    throw OptionError(
+        "start", fmt::format("{}", start),
+        fmt::format("; allowed: at least 1 and less than graph.nodes, which is {}", graph.nodes));
   }
-  if (rounds < 1 || rounds > o.nodes - start) {
-    throw InputError(
-        fmt::format("graph.adaptive.rounds is {}; it is 1 to {}, the number of nodes to be added",
-                    rounds, o.nodes - start));
+  if (rounds > graph.nodes - start) {
+    throw OptionError(
+        "rounds", fmt::format("{}", rounds),
+        fmt::format("; allowed: 1 to {}, the number of nodes to be added", graph.nodes - start));
   }
 }
 
-// The options of one round, whose graph is not adaptive.
-EmbeddedDeformationOptions of_one_graph(EmbeddedDeformationOptions options) {
-  options.graph.nodes = std::exchange(options.graph.adaptive.start, 0);
+// The options of the graph at the beginning.
+EmbeddedDeformationOptions at_start(EmbeddedDeformationOptions options, int start) {
+  options.graph.nodes = start;
   return options;
 }
 
-// Adds the steps and the seconds of the solves before to the report of the last one.
+// The report of a solve, with what those before it took.
 void add(const Report& before, Report& report) {
   for (const auto& [phase, seconds] : before.seconds) report.seconds[phase] += seconds;
   for (const auto& [phase, seconds] : before.solve.seconds) report.solve.seconds[phase] += seconds;
@@ -50,13 +51,12 @@ void add(const Report& before, Report& report) {
   report.solve.cg_iterations += before.solve.cg_iterations;
 }
 
-// A vertex that may get a node. As nodes are chosen, distances only shrink, and scores with them.
-// So the score of a candidate is computed again only when the candidate comes to the top of the
-// queue.
+// A vertex that may get a node. Distances only shrink as nodes are chosen, and scores with them:
+// one that was computed earlier is looked at again only when it comes to the top.
 struct Candidate {
   double cost, distance;
   int vertex;
-  std::size_t seen = 0;  // so many of the chosen vertices are part of `distance`
+  std::size_t seen = 0;  // of the chosen ones
   double score() const { return cost * distance; }
   bool operator<(const Candidate& o) const {
     return std::pair(score(), -vertex) < std::pair(o.score(), -o.vertex);
@@ -116,15 +116,15 @@ std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3X
 Transformations continued(const EmbeddedDeformation& deformation, std::span<const int> vertices) {
   const Transformations X = deformation.transformations();
   const Embedding at = subset(deformation.embedding(), vertices);
-  const Eigen::Matrix3Xd positions = transfer_positions(X, deformation.graph().g, at);
-  Transformations result = Transformations::Zero(3, X.cols() + 4 * positions.cols());
+  const Eigen::Matrix3Xd places = transfer_positions(X, deformation.graph().g, at);
+  Transformations result = Transformations::Zero(3, X.cols() + 4 * places.cols());
   result.leftCols(X.cols()) = X;
-  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
     auto node = result.middleCols<4>(X.cols() + 4 * i);
     for (Eigen::Index a = 0; a < at.nodes.rows(); ++a) {
       node.leftCols<3>() += at.weights(a, i) * X.middleCols<3>(4 * at.nodes(a, i));
     }
-    node.col(3) = positions.col(i) - at.v.col(i);
+    node.col(3) = places.col(i) - at.v.col(i);
   }
   return result;
 }
@@ -135,10 +135,14 @@ const EmbeddedDeformation* as_embedded(const Deformer& deformer) {
 }
 
 AdaptiveDeformation::AdaptiveDeformation(Shape rest, const EmbeddedDeformationOptions& options,
-                                         std::span<const Cut> cuts)
-    : rest_(std::move(rest)), options_(options), cuts_(cuts.begin(), cuts.end()) {
-  check(options_.graph);
-  embedded_ = std::make_unique<EmbeddedDeformation>(rest_, of_one_graph(options_), cuts_);
+                                         const AdaptiveOptions& adaptive, std::span<const Cut> cuts)
+    : rest_(std::move(rest)),
+      options_(options),
+      adaptive_(adaptive),
+      cuts_(cuts.begin(), cuts.end()) {
+  inside_option("adaptive", [&] { check(options_.graph, adaptive_); });
+  embedded_ =
+      std::make_unique<EmbeddedDeformation>(rest_, at_start(options_, adaptive_.start), cuts_);
 }
 
 void AdaptiveDeformation::compile(const Handles& handles) {
@@ -146,9 +150,9 @@ void AdaptiveDeformation::compile(const Handles& handles) {
   handles_ = handles;
 }
 
-// The number of nodes after m. Each round multiplies it by the same factor.
+// How many nodes follow m: every round multiplies them alike.
 int AdaptiveDeformation::next_count(int m) const {
-  const auto& [start, rounds] = options_.graph.adaptive;
+  const auto& [start, rounds] = adaptive_;
   const double nodes = options_.graph.nodes;
   for (int round = 1; round < rounds; ++round) {
     const double share = static_cast<double>(round) / rounds;
@@ -158,7 +162,7 @@ int AdaptiveDeformation::next_count(int m) const {
   return options_.graph.nodes;
 }
 
-// Returns false if no node is left to be added or no term costs anything.
+// False where nothing is left to add, or no reason to.
 bool AdaptiveDeformation::refine() {
   const int m = static_cast<int>(embedded_->graph().g.cols());
   if (m >= options_.graph.nodes) return false;
@@ -169,7 +173,8 @@ bool AdaptiveDeformation::refine() {
   if (added.empty()) return false;
   Eigen::Matrix3Xd g(3, m + static_cast<Eigen::Index>(added.size()));
   g << embedded_->graph().g, rest_.V(Eigen::all, added);
-  auto finer = std::make_unique<EmbeddedDeformation>(rest_, g, of_one_graph(options_), cuts_);
+  auto finer =
+      std::make_unique<EmbeddedDeformation>(rest_, g, at_start(options_, adaptive_.start), cuts_);
   finer->compile(handles_);
   finer->begin_at(continued(*embedded_, added));
   embedded_ = std::move(finer);
@@ -184,10 +189,10 @@ Report AdaptiveDeformation::update(const Eigen::Matrix3Xd& targets) {
   }
   const int wanted = options_.graph.nodes;
   if (report.nodes < wanted && node_costs(embedded_->problem()).sum() > kNothing) {
-    report.notes.push_back(fmt::format(
-        "the graph has {} nodes instead of graph.nodes, {}: every vertex where the terms "
-        "cost anything has one",
-        report.nodes, wanted));
+    report.notes.push_back(
+        fmt::format("the graph has {} nodes instead of graph.nodes, {}: every "
+                    "vertex where the terms cost anything has one",
+                    report.nodes, wanted));
   }
   return report;
 }

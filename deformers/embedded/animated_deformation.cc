@@ -14,10 +14,14 @@ constexpr double kSame = 1e-6;  // of the diagonal; a node that is nearer to a v
 
 EmbeddedDeformation on_vertices(const Shape& pose, const EmbeddedDeformationOptions& options) {
   const GraphOptions& graph = options.graph;
-  const bool between_vertices = graph.method == "sampling" && graph.distance == "euclidean";
+  const bool between_vertices =
+      graph.method == NodePlacement::kSampling && graph.distance == NodeDistance::kEuclidean;
   if (!between_vertices) return {pose, options};
-  const Eigen::Matrix3Xd sampled = sample_nodes(pose, graph.nodes, graph.seed);
-  const Eigen::Matrix3Xd nodes = pose.V(Eigen::all, distinct_nearest_vertices(sampled, pose.V));
+  check_options(options);
+  const std::vector<int> vertices = inside_option("graph", [&] {
+    return distinct_nearest_vertices(sample_nodes(pose, graph.nodes, graph.seed), pose.V);
+  });
+  const Eigen::Matrix3Xd nodes = pose.V(Eigen::all, vertices);
   return {pose, nodes, options};
 }
 

@@ -30,28 +30,34 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
   notes.insert(notes.end(), more.begin(), more.end());
 }
 
+EmbeddedDeformationOptions checked(const EmbeddedDeformationOptions& options, const Shape& rest) {
+  check(options, rest);
+  return options;
+}
+
+std::unique_ptr<Solver> solver_of(const EmbeddedDeformationOptions& options) {
+  return inside_option("solver", [&] { return make_solver(options.solver); });
+}
+
 }  // namespace
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
-    : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check(options_, rest_);
-  register_graph(build_graph(rest_, options_.graph, cuts));
+    : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
+  register_graph(inside_option("graph", [&] { return build_graph(rest_, options_.graph, cuts); }));
 }
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nodes,
                                          const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
-    : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check(options_, rest_);
-  register_graph(build_graph(rest_, nodes, options_.graph, cuts));
+    : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
+  register_graph(inside_option("graph", [&] { return build_graph(rest_, nodes, options_.graph, cuts); }));
 }
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
                                          const EmbeddedDeformationOptions& options)
-    : options_(options), rest_(std::move(rest)), solver_(make_solver(options.solver)) {
-  check(options_, rest_);
-  register_graph(build_graph(rest_, std::move(graph), options_.graph));
+    : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
+  register_graph(inside_option("graph", [&] { return build_graph(rest_, std::move(graph), options_.graph); }));
 }
 
 void EmbeddedDeformation::register_graph(BuiltGraph built) {
@@ -105,10 +111,10 @@ void EmbeddedDeformation::begin_at(const Transformations& X) {
 }
 
 void EmbeddedDeformation::transfer(const Transformations& X) {
-  transfer_positions(X, graph_.g, embedding_, deformed_.V, options_.solver.threads);
+  transfer_positions(X, graph_.g, embedding_, deformed_.V, options_.transfer_threads);
   for (const int i : fixed_) deformed_.V.col(i) = rest_.V.col(i);  // without rounding
   if (rest_.N.cols() == 0) return;
-  transfer_normals(X, rest_.N, embedding_, deformed_.N, options_.solver.threads);
+  transfer_normals(X, rest_.N, embedding_, deformed_.N, options_.transfer_threads);
 }
 
 Eigen::Matrix3Xd EmbeddedDeformation::points(const Transformations& X) const {
@@ -208,7 +214,7 @@ void EmbeddedDeformation::add_notes(Report& report) const {
     notes.push_back(fmt::format(
         "nodes where space is turned inside out (det R < 0), which E_rot cannot see: {}; move the "
         "handles less, or in smaller steps{}",
-        report.inside_out, options_.reflections == "repair" ? "" : ", or set reflections: repair"));
+        report.inside_out, options_.reflections == Reflections::kRepair ? "" : ", or set reflections: repair"));
   }
   report.notes = std::move(notes);
 }
@@ -220,7 +226,7 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   for (const WeightedEnergy& term : problem_.terms) term.energy->set_targets(in_units);
   translate_pinned(targets);
   report.solve = solver_->solve(problem_);
-  if (options_.reflections == "repair" && options_.node_model() == NodeModel::kAffine) {
+  if (options_.reflections == Reflections::kRepair && options_.node_model() == NodeModel::kAffine) {
     repair_reflections(problem_, graph_, handles_, *solver_, options_.solver, report);
   }
   const Transformations X = transformations();

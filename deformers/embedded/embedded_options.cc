@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kMostUnits = 1e9;  // of length_unit in a mean edge, and of mean edges in it
 
-void check_losses(const EmbeddedDeformationOptions& options) {
-  for (const auto& [name, loss] : options.losses) {
-    energy_info(name);
-    make_loss(loss, "losses." + name);
-  }
-}
-
 void check_extra_terms(const EmbeddedDeformationOptions& options) {
   for (std::size_t i = 0; i < options.extra_terms.size(); ++i) {
     const ExtraTerm& term = options.extra_terms[i];
@@ -29,35 +22,25 @@ void check_extra_terms(const EmbeddedDeformationOptions& options) {
       throw InputError(fmt::format("the weight of {} is {}; a weight is a number of 0 or more",
                                    name, term.weight));
     }
-    make_loss(term.loss, name + ".loss");
+    inside_option(name + ".loss", [&] { check_options(term.loss); });
   }
-}
-
-void check_reflections(const std::string& name) {
-  if (name == "report" || name == "repair") return;
-  throw InputError(fmt::format("unknown reflections '{}'; known: report, repair", name));
 }
 
 // E_rot of a rotation is zero, whatever its weight. Every other term has to exist for rigid nodes.
 void check_rotation_model(const EmbeddedDeformationOptions& o) {
-  if (o.rotation_model == "affine") return;
-  if (o.rotation_model != "rigid") {
-    throw InputError(
-        fmt::format("unknown rotation_model '{}'; known: affine, rigid", o.rotation_model));
-  }
+  if (o.rotation_model == RotationModel::kAffine) return;
   if (o.dimension != 3) {
-    throw InputError(fmt::format(
-        "rotation_model is rigid, which is for shapes in space, but dimension is {}; use "
-        "rotation_model: affine",
-        o.dimension));
+    throw OptionError("rotation_model", "rigid",
+                      fmt::format(", which is for shapes in space, but dimension is {}; use "
+                                  "rotation_model: affine",
+                                  o.dimension));
   }
   for (const auto& [name, settings] : o.energies) {
     const double weight = settings.weight.value_or(0);
     if (energy_info(name).for_rigid_nodes || weight == 0 || name == Rotation<>::kName) continue;
-    throw InputError(fmt::format(
-        "energies.{} is {}, but rotation_model: rigid has no such term; make it 0, or use "
-        "rotation_model: affine",
-        name, weight));
+    throw OptionError("energies." + name, fmt::format("{}", weight),
+                      ", but rotation_model: rigid has no such term; make it 0, or use "
+                      "rotation_model: affine");
   }
 }
 
@@ -65,33 +48,23 @@ std::shared_ptr<const ceres::LossFunction> loss_of(const EmbeddedDeformationOpti
                                                    const std::string& name) {
   const auto named = options.losses.find(name);
   if (named == options.losses.end()) return nullptr;
-  return make_loss(named->second, "losses." + name);
+  return make_loss(named->second);
 }
 
 }  // namespace
 
 void check(const EmbeddedDeformationOptions& options, const Shape& rest) {
+  check_options(options);
   check_settings(options.energies);
-  check_losses(options);
+  for (const auto& [name, loss] : options.losses) energy_info(name);
   check_extra_terms(options);
   check_dimension(options.dimension, rest);
-  check_reflections(options.reflections);
   check_rotation_model(options);
-  if (options.graph.adaptive.start != 0) {
-    throw InputError(
-        fmt::format("graph.adaptive.start is {}, but this graph is made once and stays, as that of "
-                    "an animation "
-                    "does; make it 0",
-                    options.graph.adaptive.start));
-  }
 }
 
 void check_dimension(int d, const Shape& rest) {
-  if (d != 2 && d != 3) {
-    throw InputError(fmt::format("dimension is {}; it is 3, or 2 for a flat shape", d));
-  }
   if (d == 2 && rest.V.cols() > 0 && rest.V.row(2).maxCoeff() > rest.V.row(2).minCoeff()) {
-    throw InputError("dimension is 2, but z differs over the shape; use 3, or flatten it");
+    throw OptionError("dimension", "2", ", but z differs over the shape; use 3, or flatten it");
   }
 }
 
@@ -101,15 +74,15 @@ double length_unit(const std::string& text, const DeformationGraph& graph) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool positive = error == std::errc() && end == text.data() + text.size() && value > 0;
   if (!positive || !std::isfinite(value)) {
-    throw InputError(
-        fmt::format("length_unit is '{}'; it is mean_edge or a positive number", text));
+    throw OptionError("length_unit", fmt::format("'{}'", text),
+                      "; allowed: mean_edge, or a positive number");
   }
   const double edge = mean_edge_length(graph);
   if (value >= edge / kMostUnits && value <= edge * kMostUnits) return value;
-  throw InputError(fmt::format(
-      "length_unit is '{}', but the mean edge of the graph is {:g}; choose one within a factor of "
-      "{:g} of it",
-      text, edge, kMostUnits));
+  throw OptionError("length_unit", fmt::format("'{}'", text),
+                    fmt::format(", but the mean edge of the graph is {:.6g}; choose a length within "
+                                "a factor of {:g} of it",
+                                edge, kMostUnits));
 }
 
 std::vector<WeightedEnergy> make_terms(const EmbeddedDeformationOptions& options,
@@ -126,7 +99,7 @@ std::vector<WeightedEnergy> make_terms(const EmbeddedDeformationOptions& options
   }
   for (const ExtraTerm& extra : options.extra_terms) {
     if (!(extra.weight > 0)) continue;
-    terms.push_back({extra.make(context), extra.weight, make_loss(extra.loss, "extra term")});
+    terms.push_back({extra.make(context), extra.weight, make_loss(extra.loss)});
   }
   return terms;
 }

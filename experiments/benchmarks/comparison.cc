@@ -27,11 +27,11 @@ Contender contender(const char* linear_solver, const char* blocks, const char* t
       {},
       {},
       false};
-  c.options.method = "ceres";
+  c.options.method = SolverMethod::kCeres;
   c.options.linear_solver = linear_solver;
-  c.options.ceres_blocks = blocks;
-  c.options.ceres_trust_region = trust_region;
-  c.options.ceres_sparse_library = library;
+  c.options.ceres_blocks = value_of<CeresBlocks>(blocks).value();
+  c.options.ceres_trust_region = value_of<CeresTrustRegion>(trust_region).value();
+  c.options.ceres_sparse_library = value_of<CeresSparseLibrary>(library).value();
   return c;
 }
 

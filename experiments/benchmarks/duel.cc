@@ -1,5 +1,7 @@
 #include "experiments/benchmarks/duel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -32,9 +34,10 @@ struct Way {
 };
 
 std::string describe(const SolverOptions& o) {
-  if (o.method == "ceres") {
-    return "ceres " + o.linear_solver + ", " + o.ceres_sparse_library + ", " +
-           o.ceres_trust_region + ", one block a " + o.ceres_blocks;
+  if (o.method == SolverMethod::kCeres) {
+    return fmt::format("ceres {}, {}, {}, one block a {}", o.linear_solver,
+                       name_of(o.ceres_sparse_library), name_of(o.ceres_trust_region),
+                       name_of(o.ceres_blocks));
   }
   return "gauss_newton " + o.linear_solver + ", " + o.globalization;
 }
@@ -161,10 +164,10 @@ std::vector<SolverOptions> ceres_ways(int nodes, double side) {
   std::vector<SolverOptions> result;
   const auto add = [&](const char* linear_solver, const char* blocks, const char* trust_region) {
     SolverOptions o;
-    o.method = "ceres";
+    o.method = SolverMethod::kCeres;
     o.linear_solver = linear_solver;
-    o.ceres_blocks = blocks;
-    o.ceres_trust_region = trust_region;
+    o.ceres_blocks = value_of<CeresBlocks>(blocks).value();
+    o.ceres_trust_region = value_of<CeresTrustRegion>(trust_region).value();
     result.push_back(o);
   };
   add("sparse_normal_cholesky", "column", "levenberg_marquardt");

@@ -7,7 +7,7 @@
 namespace deformlab {
 namespace {
 
-SolverOptions by(const char* method, const char* linear_solver) {
+SolverOptions by(SolverMethod method, const char* linear_solver) {
   SolverOptions options;
   options.method = method;
   options.linear_solver = linear_solver;
@@ -22,7 +22,7 @@ void describe(benchmark::State& state, const Summary& solve) {
 }
 
 // The mean of one solve's steps; Ceres' preprocessing, our compilation, is left out.
-void step(benchmark::State& state, const char* method, const char* linear_solver) {
+void step(benchmark::State& state, SolverMethod method, const char* linear_solver) {
   auto deformation =
       reference_deformation(static_cast<int>(state.range(0)), by(method, linear_solver));
   deformation.compile(reference_scene().handles);
@@ -37,7 +37,7 @@ void step(benchmark::State& state, const char* method, const char* linear_solver
 }
 
 // Compilation and all steps, from rest.
-void whole_solve(benchmark::State& state, const char* method, const char* linear_solver) {
+void whole_solve(benchmark::State& state, SolverMethod method, const char* linear_solver) {
   auto deformation =
       reference_deformation(static_cast<int>(state.range(0)), by(method, linear_solver));
   Summary solve;
@@ -60,12 +60,13 @@ void sizes(benchmark::internal::Benchmark* b) {
   b->MinTime(0.05);  // of manual time: a step is a small part of what it takes to measure it
 }
 
-BENCHMARK_CAPTURE(step, gauss_newton, "gauss_newton", "cholmod")->Apply(sizes);
-BENCHMARK_CAPTURE(step, kronecker_cg, "gauss_newton", "kronecker_cg")->Apply(sizes);
-BENCHMARK_CAPTURE(step, ceres, "ceres", "auto")->Apply(sizes);
-BENCHMARK_CAPTURE(whole_solve, gauss_newton, "gauss_newton", "cholmod")->Apply(sizes);
-BENCHMARK_CAPTURE(whole_solve, kronecker_cg, "gauss_newton", "kronecker_cg")->Apply(sizes);
-BENCHMARK_CAPTURE(whole_solve, ceres, "ceres", "auto")->Apply(sizes);
+BENCHMARK_CAPTURE(step, gauss_newton, SolverMethod::kGaussNewton, "cholmod")->Apply(sizes);
+BENCHMARK_CAPTURE(step, kronecker_cg, SolverMethod::kGaussNewton, "kronecker_cg")->Apply(sizes);
+BENCHMARK_CAPTURE(step, ceres, SolverMethod::kCeres, "auto")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, gauss_newton, SolverMethod::kGaussNewton, "cholmod")->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, kronecker_cg, SolverMethod::kGaussNewton, "kronecker_cg")
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(whole_solve, ceres, SolverMethod::kCeres, "auto")->Apply(sizes);
 
 }  // namespace
 }  // namespace deformlab

@@ -25,8 +25,8 @@ struct DeformOptions {
   static void fields(Self& o, Visit&& visit) {
     MethodOptions::fields(o.method, visit);
     visit("cut", o.cut,
-          "parts that follow no common node: a list of {between: SELECTION, and: SELECTION}");
-    visit("picture", o.picture, "how --picture is drawn");
+          "Parts that follow no common node: a list of {between: SELECTION, and: SELECTION}");
+    visit("picture", o.picture, "How the file of --picture is drawn");
   }
 };
 

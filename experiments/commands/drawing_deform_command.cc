@@ -32,12 +32,12 @@ struct DrawingDeformOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("drawing", o.drawing, "how the drawing is read and cut into triangles");
+    visit("drawing", o.drawing, "How the drawing is read and cut into triangles");
     MethodOptions::fields(o.method, visit);
-    visit("paint", o.paint, "stiff parts: a list of {select, weight} or {mask: FILE.png, weight}");
-    visit("depth", o.depth, "which of two parts that overlap is in front");
-    visit("output", o.output, "how the deformed drawing is written");
-    visit("picture", o.picture, "how --picture is drawn");
+    visit("paint", o.paint, "Stiff parts: a list of {select, weight} or {mask: FILE.png, weight}");
+    visit("depth", o.depth, "Which of two parts is in front where they overlap");
+    visit("output", o.output, "How the deformed drawing is written");
+    visit("picture", o.picture, "How the file of --picture is drawn");
   }
 };
 

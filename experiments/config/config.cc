@@ -1,5 +1,7 @@
 #include "experiments/config/config.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -34,8 +36,8 @@ void read_number(const ConfigNode& node, const std::string& name, T& value,
 
 template <class T>
 std::string whole_number() {
-  return "a whole number from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
-         std::to_string(std::numeric_limits<T>::max());
+  return fmt::format("a whole number from {} to {}", std::numeric_limits<T>::min(),
+                     std::numeric_limits<T>::max());
 }
 
 ConfigNode scalar(std::string text, bool quoted = false) {
@@ -49,18 +51,18 @@ ConfigNode scalar(std::string text, bool quoted = false) {
 }  // namespace
 
 void check_keys(const ConfigNode& map, const std::vector<std::string>& known,
-                const std::string& what) {
+                const std::string& what, const std::string& prefix) {
   for (const ConfigNode& child : map.children) {
     if (std::find(known.begin(), known.end(), child.key) != known.end()) continue;
-    throw InputError("unknown " + what + " " + quote(child.key) + " (" + child.key_where() + "); " +
-                     known_names(child.key, known));
+    throw InputError(fmt::format("unknown {} {} ({}); {}", what, quote(child.key),
+                                 child.key_where(), known_names(child.key, known, prefix)));
   }
 }
 
 void throw_wrong_value(const ConfigNode& node, const std::string& name,
                        const std::string& expected) {
-  throw InputError("wrong value for " + quote(name) + " (" + node.where() + "): expected " +
-                   expected + ", found " + node.found());
+  throw InputError(fmt::format("wrong value for {} ({}): expected {}, found {}", quote(name),
+                               node.where(), expected, node.found()));
 }
 
 std::string to_text(const std::vector<FieldHelp>& fields) {
@@ -131,14 +133,44 @@ void read_value(const ConfigNode& node, const std::string& name,
 
 void read_value(const ConfigNode& node, const std::string&, ConfigNode& value) { value = node; }
 
-std::size_t read_choice(const ConfigNode& node, const std::string& name,
-                        const std::vector<std::string>& allowed) {
+std::size_t read_name(const ConfigNode& node, const std::string& name,
+                      const std::vector<std::string>& names) {
   std::string text;
   read_value(node, name, text);
-  const auto match = std::find(allowed.begin(), allowed.end(), text);
-  if (match != allowed.end()) return static_cast<std::size_t>(match - allowed.begin());
-  throw InputError("unknown value " + quote(text) + " for " + quote(name) + " (" + node.where() +
-                   "); " + known_names(text, allowed));
+  const auto match = std::find(names.begin(), names.end(), text);
+  if (match != names.end()) return static_cast<std::size_t>(match - names.begin());
+  throw InputError(fmt::format("unknown value {} for {} ({}); {}", quote(text), quote(name),
+                               node.where(), known_names(text, names)));
+}
+
+namespace {
+
+// The value of a dotted path such as "parts[1].nodes", or null where the config does not give it.
+const ConfigNode* find_path(const ConfigNode& map, std::string_view path) {
+  const ConfigNode* node = &map;
+  while (node != nullptr && !path.empty()) {
+    const bool is_index = path.front() == '[';
+    const std::size_t end = std::min(path.find_first_of(is_index ? "]" : ".[", 0), path.size());
+    if (is_index) {
+      std::size_t index = 0;
+      const bool known = parse_number(path.substr(1, end - 1), index);
+      node = known && index < node->children.size() ? &node->children[index] : nullptr;
+    } else {
+      node = node->find(path.substr(0, end));
+    }
+    path.remove_prefix(std::min(end + (is_index ? 1 : 0), path.size()));
+    if (path.starts_with('.')) path.remove_prefix(1);
+  }
+  return node;
+}
+
+}  // namespace
+
+InputError located(const OptionError& error, const ConfigNode& map, const std::string& prefix) {
+  const ConfigNode* node = find_path(map, error.field());
+  return InputError(fmt::format("{}{} is {} ({}){}", prefix, error.field(), error.value(),
+                                node == nullptr ? "the default" : node->where(),
+                                error.explanation()));
 }
 
 ConfigNode to_node(bool value) { return scalar(value ? "true" : "false"); }
@@ -167,7 +199,7 @@ ConfigNode to_node(const Eigen::Vector3d& value) {
 
 ConfigNode to_node(const std::map<std::string, double>& value) {
   FieldWriter writer;
-  for (const auto& [name, number] : value) writer(name.c_str(), number, "");
+  for (const auto& [name, number] : value) writer.add(name, to_node(number));
   return std::move(writer.map);
 }
 
@@ -181,21 +213,23 @@ void check_list(const ConfigNode& node, const std::string& name) {
   if (node.kind != ConfigNode::Kind::kList) throw_wrong_value(node, name, "a list");
 }
 
-void FieldDescriber::add_choice(const char* name, const std::string& value,
-                                const std::vector<std::string>& allowed, const char* meaning) {
-  std::string text = std::string(meaning) + ": ";
-  for (std::size_t i = 0; i < allowed.size(); ++i) text += (i > 0 ? " | " : "") + allowed[i];
-  fields.push_back({prefix_ + name, value, text});
+void FieldDescriber::add(const std::string& name, const std::string& value, const Field& field,
+                         const std::vector<std::string>& names) {
+  std::string meaning = field.meaning;
+  const std::string allowed =
+      names.empty() ? field.range.text() : fmt::format("{}", fmt::join(names, " | "));
+  if (!allowed.empty()) meaning += (names.empty() ? "; allowed: " : ": ") + allowed;
+  fields.push_back({name, field.required ? "required" : value, meaning});
 }
 
 const ConfigNode& FieldReader::get(const char* name) const {
   if (const ConfigNode* node = map_.find(name)) return *node;
   const std::string inside =
       prefix_.empty() ? "" : " in " + quote(prefix_.substr(0, prefix_.size() - 1));
-  throw InputError("missing key " + quote(name) + inside + " (" + map_.where() + ")");
+  throw InputError(fmt::format("missing key {}{} ({})", quote(name), inside, map_.where()));
 }
 
-void FieldWriter::add(const char* name, ConfigNode node) {
+void FieldWriter::add(const std::string& name, ConfigNode node) {
   node.key = name;
   map.children.push_back(std::move(node));
 }

@@ -4,50 +4,35 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "energies/catalog.h"
 #include "experiments/config/config_node.h"
+#include "geometry/core/options.h"
 
-/// An options struct describes its fields once, in whatever layer it lives and without this header:
-///
-///   struct GraphOptions {
-///     int nodes = 300;
-///     std::string weights = "linear";
-///     template <class Self, class Visit>
-///     static void fields(Self& o, Visit&& visit) {
-///       visit("nodes", o.nodes, "number of graph nodes");
-///       visit.choice("weights", o.weights, {"linear", "uniform"}, "k-nearest-node weights");
-///     }
-///   };
-///
-/// `visit.required(...)` is a field that a config must give. From the description follow
-/// read_config, to_node (and with to_yaml the resolved config) and describe.
-/// A field may be bool, int, std::uint64_t, double, std::string, std::filesystem::path,
-/// Eigen::Vector3d, std::map<std::string, double>, the settings of energy terms by their names,
-/// ConfigNode (kept raw), a struct with fields, a
-/// std::map of such structs by name, or a std::vector or std::optional of these; `choice` takes a
-/// std::string or an enumeration.
+/// Reading, writing and help of options structs, which describe their fields as
+/// geometry/core/options.h says. A field may be bool, int, std::uint64_t, double, an enumeration
+/// with names, std::string, std::filesystem::path, Eigen::Vector3d, std::map<std::string, double>, the settings of
+/// energy terms by their names, ConfigNode (which is kept as it is), a struct with fields, a std::map of such structs by name,
+/// or a std::vector or std::optional of these.
 namespace deformlab {
 
 /// One line of help. Fields of nested structs have dotted names, those in lists `list[].name`,
 /// those in maps by name `map.NAME.name`.
 struct FieldHelp {
   std::string name;
-  std::string value;  ///< the default as YAML, or "required"
-  std::string meaning;
+  std::string value;    ///< the default as YAML, or "required"
+  std::string meaning;  ///< what it does, and what is allowed
 };
 
 /// Throws InputError at the first key of the map that is not known; `what` is what the message
-/// calls it ("key", "energy").
+/// calls it ("key", "energy"), and `prefix` the dotted path of the map with a dot at its end.
 void check_keys(const ConfigNode& map, const std::vector<std::string>& known,
-                const std::string& what = "key");
+                const std::string& what = "key", const std::string& prefix = "");
 
 /// Throws InputError: the value `name` is not what was expected.
 [[noreturn]] void throw_wrong_value(const ConfigNode& node, const std::string& name,
@@ -74,9 +59,28 @@ void read_value(const ConfigNode& node, const std::string& name, ConfigNode& val
 void read_value(const ConfigNode& node, const std::string& name,
                 std::map<std::string, TermSettings>& value);
 
-/// Position in `allowed` of the text that the node holds.
-std::size_t read_choice(const ConfigNode& node, const std::string& name,
-                        const std::vector<std::string>& allowed);
+/// Reads a text that must be one of the names, and returns its index among them.
+std::size_t read_name(const ConfigNode& node, const std::string& name,
+                      const std::vector<std::string>& names);
+
+template <NamedEnum E>
+void read_value(const ConfigNode& node, const std::string& name, E& value) {
+  value = names_of(E{})[read_name(node, name, all_names<E>())].value;
+}
+
+/// The error with the dotted path `prefix` before the field, and with the line of the field's value
+/// in `map`, which is where the options were read from.
+InputError located(const OptionError& error, const ConfigNode& map, const std::string& prefix = "");
+
+/// Calls action(). Where it throws an OptionError, the line of the config is added.
+template <class Action>
+decltype(auto) with_lines_of(const ConfigNode& root, Action&& action) {
+  try {
+    return action();
+  } catch (const OptionError& error) {
+    throw located(error, root);
+  }
+}
 
 // Writing: the node that reads back as the same value.
 ConfigNode to_node(bool value);
@@ -93,63 +97,10 @@ ConfigNode to_node(const std::map<std::string, TermSettings>& value);
 /// One line of help for each option that a term of the catalog declares: `name.TERM.OPTION`.
 void append_term_options(const std::string& name, std::vector<FieldHelp>& fields);
 
-// The visitors that the descriptions are shown to. `choice` takes the allowed names of a string, or
-// pairs {name, value} of an enumeration.
-using Names = std::initializer_list<const char*>;
-template <class E>
-using EnumNames = std::initializer_list<std::pair<const char*, std::type_identity_t<E>>>;
-
-template <class E>
-std::vector<std::string> names_of(EnumNames<E> pairs) {
-  std::vector<std::string> names;
-  for (const auto& pair : pairs) names.emplace_back(pair.first);
-  return names;
+template <NamedEnum E>
+ConfigNode to_node(E value) {
+  return to_node(std::string(name_of(value)));
 }
-
-template <class E>
-std::string name_of(const E& value, EnumNames<E> pairs) {
-  for (const auto& pair : pairs) {
-    if (pair.second == value) return pair.first;
-  }
-  return "";
-}
-
-/// Lists what a struct describes.
-class FieldDescriber {
- public:
-  explicit FieldDescriber(std::string prefix = "") : prefix_(std::move(prefix)) {}
-
-  template <class T>
-  void operator()(const char* name, const T& value, const char* meaning);
-  template <class T>
-  void required(const char* name, const T& value, const char* meaning) {
-    const std::size_t first = fields.size();
-    (*this)(name, value, meaning);
-    fields[first].value = "required";
-  }
-  void choice(const char* name, const std::string& value, Names names, const char* meaning) {
-    add_choice(name, value, {names.begin(), names.end()}, meaning);
-  }
-  template <class E>
-  requires std::is_enum_v<E>
-  void choice(const char* name, const E& value, EnumNames<E> pairs, const char* meaning) {
-    add_choice(name, name_of(value, pairs), names_of<E>(pairs), meaning);
-  }
-
-  std::vector<FieldHelp> fields;
-
- private:
-  void add_choice(const char* name, const std::string& value,
-                  const std::vector<std::string>& allowed, const char* meaning);
-
-  std::string prefix_;
-};
-
-template <class T>
-concept HasFields = requires(T& options, FieldDescriber& visit) {
-  T::fields(options, visit);
-};
-
 template <HasFields T>
 ConfigNode to_node(const T& value);
 template <class T>
@@ -159,80 +110,75 @@ ConfigNode to_node(const std::optional<T>& value);
 template <HasFields T>
 ConfigNode to_node(const std::map<std::string, T>& value);
 
+/// Lists what a struct describes.
+class FieldDescriber : public FieldVisitor<FieldDescriber> {
+ public:
+  explicit FieldDescriber(std::string prefix = "") : prefix_(std::move(prefix)) {}
+
+  template <class T>
+  void field(const Field& field, const T& value);
+
+  std::vector<FieldHelp> fields;
+
+ private:
+  void add(const std::string& name, const std::string& value, const Field& field,
+           const std::vector<std::string>& names);
+
+  std::string prefix_;
+};
+
 /// Collects the names of one struct, without those nested in it.
-struct FieldNames {
+struct FieldNames : FieldVisitor<FieldNames> {
   std::vector<std::string> names;
 
-  void operator()(const char* name, const auto&, const char*) { names.emplace_back(name); }
-  void required(const char* name, const auto&, const char*) { names.emplace_back(name); }
-  void choice(const char* name, const std::string&, Names, const char*) {
-    names.emplace_back(name);
-  }
-  template <class E>
-  requires std::is_enum_v<E>
-  void choice(const char* name, const E&, EnumNames<E>, const char*) { names.emplace_back(name); }
+  void field(const Field& field, const auto&) { names.emplace_back(field.name); }
 };
 
 /// Reads the fields of a struct from a map.
-class FieldReader {
+class FieldReader : public FieldVisitor<FieldReader> {
  public:
   FieldReader(const ConfigNode& map, std::string prefix) : map_(map), prefix_(std::move(prefix)) {}
 
   template <class T>
-  void operator()(const char* name, T& value, const char*) {
-    if (const ConfigNode* node = map_.find(name)) read_value(*node, prefix_ + name, value);
-  }
-  template <class T>
-  void required(const char* name, T& value, const char*) {
-    read_value(get(name), prefix_ + name, value);
-  }
-  void choice(const char* name, std::string& value, Names names, const char*) {
-    const ConfigNode* node = map_.find(name);
-    if (!node) return;
-    const std::vector<std::string> allowed(names.begin(), names.end());
-    value = allowed[read_choice(*node, prefix_ + name, allowed)];
-  }
-  template <class E>
-  requires std::is_enum_v<E>
-  void choice(const char* name, E& value, EnumNames<E> pairs, const char*) {
-    const ConfigNode* node = map_.find(name);
-    if (!node) return;
-    value = pairs.begin()[read_choice(*node, prefix_ + name, names_of<E>(pairs))].second;
+  void field(const Field& field, T& value) {
+    const ConfigNode* node = field.required ? &get(field.name) : map_.find(field.name);
+    if (node == nullptr) return;
+    const std::string name = prefix_ + field.name;
+    if constexpr (std::same_as<T, std::string>) {
+      if (!field.names.empty()) read_name(*node, name, field.names);
+    }
+    read_value(*node, name, value);
+    if constexpr (!HasFields<T>) check(field, value);  // a struct checked its fields as it was read
   }
 
  private:
   const ConfigNode& get(const char* name) const;  ///< throws InputError where the key is missing
+
+  template <class T>
+  void check(const Field& field, const T& value) const {
+    try {
+      check_value(field, field.name, value);
+    } catch (const OptionError& error) {
+      throw located(error, map_, prefix_);
+    }
+  }
 
   const ConfigNode& map_;
   std::string prefix_;
 };
 
 /// Writes the fields of a struct into a map.
-class FieldWriter {
+class FieldWriter : public FieldVisitor<FieldWriter> {
  public:
   FieldWriter() { map.kind = ConfigNode::Kind::kMap; }
 
   template <class T>
-  void operator()(const char* name, const T& value, const char*) {
-    add(name, to_node(value));
+  void field(const Field& field, const T& value) {
+    add(field.name, to_node(value));
   }
-  template <class T>
-  void required(const char* name, const T& value, const char*) {
-    add(name, to_node(value));
-  }
-  void choice(const char* name, const std::string& value, Names, const char*) {
-    add(name, to_node(value));
-  }
-  template <class E>
-  requires std::is_enum_v<E>
-  void choice(const char* name, const E& value, EnumNames<E> pairs, const char*) {
-    add(name, to_node(name_of(value, pairs)));
-  }
+  void add(const std::string& name, ConfigNode node);
 
   ConfigNode map;
-
- private:
-  void add(const char* name, ConfigNode node);
 };
 
 void check_map(const ConfigNode& node, const std::string& name);
@@ -243,8 +189,10 @@ void read_value(const ConfigNode& node, const std::string& name, T& value) {
   check_map(node, name);
   FieldNames known;
   T::fields(value, known);
-  check_keys(node, known.names);  // first: a misspelt name is the usual cause of a missing one
-  FieldReader reader(node, name.empty() ? "" : name + ".");
+  const std::string prefix = name.empty() ? "" : name + ".";
+  // The keys come first, because a misspelt name is the usual cause of a missing one.
+  check_keys(node, known.names, "key", prefix);
+  FieldReader reader(node, prefix);
   T::fields(value, reader);
 }
 
@@ -296,7 +244,7 @@ ConfigNode to_node(const std::optional<T>& value) {
 template <HasFields T>
 ConfigNode to_node(const std::map<std::string, T>& value) {
   FieldWriter writer;
-  for (const auto& [name, element] : value) writer(name.c_str(), element, "");
+  for (const auto& [name, element] : value) writer.add(name, to_node(element));
   return std::move(writer.map);
 }
 
@@ -317,12 +265,13 @@ struct ElementOf<std::map<std::string, T>> : ElementOf<T> {
 };
 
 template <class T>
-void FieldDescriber::operator()(const char* name, const T& value, const char* meaning) {
+void FieldDescriber::field(const Field& field, const T& value) {
   using Element = typename ElementOf<T>::type;
-  const std::string full = prefix_ + name;
+  const std::string full = prefix_ + field.name;
   if constexpr (HasFields<Element>) {
-    fields.push_back({full + ElementOf<T>::kSuffix, "", meaning});
-    FieldDescriber nested(full + ElementOf<T>::kSuffix + ".");
+    const std::string owner = full + ElementOf<T>::kSuffix;
+    add(owner, "", field, {});
+    FieldDescriber nested(owner + ".");
     if constexpr (std::same_as<Element, T>) {
       T::fields(value, nested);
     } else {
@@ -331,7 +280,9 @@ void FieldDescriber::operator()(const char* name, const T& value, const char* me
     }
     fields.insert(fields.end(), nested.fields.begin(), nested.fields.end());
   } else {
-    fields.push_back({full, to_yaml_line(to_node(value)), meaning});
+    std::vector<std::string> names = field.names;
+    if constexpr (NamedEnum<Element>) names = all_names<Element>();
+    add(full, to_yaml_line(to_node(value)), field, names);
     if constexpr (std::same_as<T, std::map<std::string, TermSettings>>) {
       append_term_options(full, fields);
     }

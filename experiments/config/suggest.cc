@@ -1,7 +1,11 @@
 #include "experiments/config/suggest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+
+#include "experiments/config/renamed_names.h"
 
 namespace deformlab {
 namespace {
@@ -44,11 +48,19 @@ std::optional<std::string> nearest_name(std::string_view given,
   return nearest;
 }
 
-std::string known_names(std::string_view given, const std::vector<std::string>& known) {
-  std::string text = "known: ";
-  for (std::size_t i = 0; i < known.size(); ++i) text += (i > 0 ? ", " : "") + known[i];
-  if (known.empty()) text += "none";
-  if (const auto nearest = nearest_name(given, known)) text += "; did you mean '" + *nearest + "'?";
+std::string known_names(std::string_view given, const std::vector<std::string>& known,
+                        std::string_view prefix) {
+  const std::string_view moved = prefix.empty() ? "" : renamed(fmt::format("{}{}", prefix, given));
+  if (!moved.empty()) return fmt::format("it is called '{}' now", moved);
+  const std::string_view today = renamed(given);
+  if (std::find(known.begin(), known.end(), today) != known.end()) {
+    return fmt::format("it is called '{}' now", today);
+  }
+  std::string text =
+      fmt::format("known: {}", known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")));
+  if (const auto nearest = nearest_name(given, known)) {
+    text += fmt::format("; did you mean '{}'?", *nearest);
+  }
   return text;
 }
 

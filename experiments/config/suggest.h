@@ -16,8 +16,11 @@ int edit_distance(std::string_view a, std::string_view b);
 std::optional<std::string> nearest_name(std::string_view given,
                                         const std::vector<std::string>& known);
 
-/// "known: a, b, c; did you mean 'b'?", the question only where a known name is near.
-std::string known_names(std::string_view given, const std::vector<std::string>& known);
+/// What a message says after a name that is not known: "known: a, b, c; did you mean 'b'?", the
+/// question only where a known name is near. A name of an earlier version gives "it is called 'b'
+/// now" instead; `prefix` is the dotted path before a key, with a dot at its end.
+std::string known_names(std::string_view given, const std::vector<std::string>& known,
+                        std::string_view prefix = "");
 
 /// 'text' in quotes for a message: long text is cut, control characters become '?', so that the
 /// message stays one readable line whatever the user gave.

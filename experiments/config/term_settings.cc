@@ -20,7 +20,7 @@ void read_map(const ConfigNode& node, const std::string& name, const EnergyInfo&
     if (option.allowed.empty()) {
       std::visit([&](auto& v) { read_value(*given, full, v); }, value);
     } else {
-      value = option.allowed[read_choice(*given, full, option.allowed)];
+      value = option.allowed[read_name(*given, full, option.allowed)];
     }
     settings.options[option.name] = value;
   }
@@ -33,8 +33,8 @@ ConfigNode option_node(const OptionValue& value) {
 ConfigNode settings_node(const TermSettings& settings) {
   if (settings.options.empty()) return to_node(settings.weight);
   FieldWriter writer;
-  if (settings.weight) writer("weight", *settings.weight, "");
-  for (const auto& [name, value] : settings.options) writer(name.c_str(), option_node(value), "");
+  if (settings.weight) writer.add("weight", to_node(*settings.weight));
+  for (const auto& [name, value] : settings.options) writer.add(name, option_node(value));
   return std::move(writer.map);
 }
 
@@ -59,7 +59,7 @@ void read_value(const ConfigNode& node, const std::string& name,
 
 ConfigNode to_node(const std::map<std::string, TermSettings>& value) {
   FieldWriter writer;
-  for (const auto& [name, settings] : value) writer(name.c_str(), settings_node(settings), "");
+  for (const auto& [name, settings] : value) writer.add(name, settings_node(settings));
   return std::move(writer.map);
 }
 

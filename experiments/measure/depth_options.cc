@@ -5,10 +5,10 @@
 namespace deformlab {
 namespace {
 
-Eigen::VectorXd order_of(const std::string& front, const Triangulation& rest) {
-  if (front == "ends") return distance_from_middle(rest);
-  const bool along_x = front == "right" || front == "left";
-  const double sign = front == "right" || front == "bottom" ? 1 : -1;
+Eigen::VectorXd order_of(DepthFront front, const Triangulation& rest) {
+  if (front == DepthFront::kEnds) return distance_from_middle(rest);
+  const bool along_x = front == DepthFront::kRight || front == DepthFront::kLeft;
+  const double sign = front == DepthFront::kRight || front == DepthFront::kBottom ? 1 : -1;
   return sign * rest.V.row(along_x ? 0 : 1).transpose();
 }
 

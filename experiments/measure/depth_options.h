@@ -1,24 +1,36 @@
 #pragma once
 
-#include <string>
+#include <array>
 
 #include "deformers/depth/depth_order.h"
 #include "experiments/measure/measurements.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
+
+/// Which parts are in front where parts of a drawing overlap: those that are farther from the
+/// middle of the drawing, measured along it, or those that lie farther to one side at rest.
+enum class DepthFront { kEnds, kRight, kLeft, kBottom, kTop };
+constexpr auto names_of(DepthFront) {
+  using enum DepthFront;
+  return std::to_array<EnumName<DepthFront>>(
+      {{kEnds, "ends"}, {kRight, "right"}, {kLeft, "left"}, {kBottom, "bottom"}, {kTop, "top"}});
+}
 
 /// How parts of a drawing that come to lie over each other are put in order (Igarashi et al. 2005,
 /// section 5.1).
 struct DepthOptions {
-  std::string front = "ends";  ///< the order that is defined beforehand
-  bool adjust = true;          ///< false: each triangle keeps the depth that it has at rest
+  DepthFront front = DepthFront::kEnds;  ///< the order that is defined beforehand
+  bool adjust = true;  ///< false: each triangle keeps the depth that it has at rest
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("front", o.front, {"ends", "right", "left", "bottom", "top"},
-                 "where parts overlap, what is in front: what lies farther that way at rest, or "
-                 "farther from the middle of the drawing, along it");
-    visit("adjust", o.adjust, "false: overlapping parts are left at the depths they have at rest");
+    visit("front", o.front,
+          "Which parts are in front where parts overlap: those that are farther from the middle of "
+          "the drawing, measured along it (ends), or those that lie farther to one side at rest");
+    visit("adjust", o.adjust,
+          "Whether overlapping parts are moved apart in depth; otherwise they keep the depths that "
+          "they have at rest");
   }
 };
 

@@ -1,16 +1,12 @@
 #include "experiments/measure/drag.h"
 
 #include <algorithm>
-#include <string>
 
-#include "geometry/core/error.h"
 #include "geometry/core/median.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
 namespace {
-
-constexpr int kMostSteps = 10'000;
 
 Eigen::Matrix3Xd places_at_rest(const Shape& rest, const Handles& handles) {
   Eigen::Matrix3Xd places(3, handles.targets());
@@ -19,12 +15,6 @@ Eigen::Matrix3Xd places_at_rest(const Shape& rest, const Handles& handles) {
 }
 
 }  // namespace
-
-void check(const DragOptions& options) {
-  if (options.steps >= 1 && options.steps <= kMostSteps) return;
-  throw InputError("drag.steps is " + std::to_string(options.steps) + "; it is 1 to " +
-                   std::to_string(kMostSteps));
-}
 
 DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
                 const DragOptions& options, const std::function<void()>& after) {

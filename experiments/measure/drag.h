@@ -16,13 +16,12 @@ struct DragOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("steps", o.steps, "updates on the way of the handles to their targets");
-    visit("back", o.back, "true: they go back to where they began, in as many");
+    visit.range("steps", o.steps, {.min = 1, .max = 10'000},
+                "The number of updates in which the handles go to their targets");
+    visit("back", o.back,
+          "Whether the handles then go back to where they began, in as many updates");
   }
 };
-
-/// Throws InputError for options out of range.
-void check(const DragOptions& options);
 
 /// What a drag did: of its last update the report, of all of them iterations_max and
 /// iterations_mean, finite (1, or 0 where a vertex ever was not), seconds.update, the median

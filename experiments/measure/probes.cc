@@ -18,9 +18,6 @@ Selection selection(const ConfigNode& region) {
 
 void check(const MeasureOptions& options) {
   if (options.region.kind != ConfigNode::Kind::kNull) selection(options.region);
-  if (options.detail >= 0 && options.detail <= 1) return;
-  throw InputError("measure.detail is " + std::to_string(options.detail) +
-                   "; it is 0 to 1, a part of the diagonal");
 }
 
 std::vector<int> region_of(const MeasureOptions& options, const Shape& shape) {

@@ -17,19 +17,20 @@ struct MeasureOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("detail", o.detail,
-          "surface below this part of the diagonal is detail, and how it survives is measured; "
-          "0: it is not");
-    visit("stripes", o.stripes,
-          "of a generated plane: how striped it is across x, beside the mean of so many columns; "
-          "0: it is not measured");
-    visit("probes", o.probes, "places at rest whose way is measured: a list of coordinates");
+    visit.range("detail", o.detail, {.min = 0, .max = 1},
+                "Features of the surface below this share of the bounding box's diagonal count as "
+                "detail, and how well they survive is measured; 0 does not measure it");
+    visit.range("stripes", o.stripes, {.min = 0},
+                "For a generated plane: how striped it is across x, compared with the mean of this "
+                "odd number of columns; 0 does not measure it");
+    visit("probes", o.probes,
+          "Points at rest whose displacement is measured: a list of coordinates");
     visit("reference", o.reference,
-          "the run of a sweep that each is compared with: dotted keys and their values");
-    visit(
-        "region", o.region,
-        "a selection of vertices of a shape or of an animation's pose: the surface between them is "
-        "measured by itself too, as region.…");
+          "The run of a sweep with which each run is compared: a map of dotted keys to their "
+          "values");
+    visit("region", o.region,
+          "A selection of vertices of a shape or of an animation's pose. The surface between them "
+          "is also measured by itself, as region.…");
   }
 };
 

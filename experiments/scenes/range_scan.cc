@@ -121,23 +121,11 @@ class Image {
   Eigen::ArrayXXf depth_;  // toward the eye, NAN where nothing was met
 };
 
-void check(const RangeScanOptions& o) {
-  if (o.views < 1 || o.views > 64 || o.resolution < 8 || o.resolution > 2048) {
-    throw InputError("shape.scan takes " + std::to_string(o.views) + " views of " +
-                     std::to_string(o.resolution) +
-                     "² rays; allowed are 1 to 64 views and 8 to 2048 rays along a side");
-  }
-  if (!(o.noise >= 0 && o.noise <= 10) || o.holes < 0 || o.outliers < 0 || o.outliers > 1000 ||
-      o.holes > 1000) {
-    throw InputError(
-        "shape.scan: noise is 0 to 10 distances between rays, holes and outliers 0 to 1000");
-  }
-}
-
 }  // namespace
 
 Shape range_scan(const Shape& shape, const RangeScanOptions& options) {
-  check(options);
+  check_options(options);
+  check_number("views", options.views, {.min = 1});
   const Eigen::Vector3d low = shape.V.rowwise().minCoeff(), high = shape.V.rowwise().maxCoeff();
   const Eigen::Vector3d center = (low + high) / 2;
   const double radius = (high - low).norm() / 2;

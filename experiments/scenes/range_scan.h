@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "geometry/core/options.h"
 #include "geometry/shape/shape.h"
 
 namespace deformlab {
@@ -18,12 +19,18 @@ struct RangeScanOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("views", o.views, "depth images taken from all around; 0: the shape itself");
-    visit("resolution", o.resolution, "rays along each side of an image");
-    visit("noise", o.noise, "standard deviation of the depth, in distances between rays");
-    visit("holes", o.holes, "patches that each image lacks");
-    visit("outliers", o.outliers, "triangles that float in front of the surface, an image");
-    visit("seed", o.seed, "of noise, holes and outliers");
+    visit.range("views", o.views, {.min = 0, .max = 64},
+                "The number of depth images that are taken from all around; 0 keeps the shape "
+                "itself");
+    visit.range("resolution", o.resolution, {.min = 8, .max = 2048},
+                "The number of rays along each side of a depth image");
+    visit.range("noise", o.noise, {.min = 0, .max = 10},
+                "The standard deviation of the depth, in distances between rays");
+    visit.range("holes", o.holes, {.min = 0, .max = 1000},
+                "The number of patches that are missing in each image");
+    visit.range("outliers", o.outliers, {.min = 0, .max = 1000},
+                "The number of triangles in each image that float in front of the surface");
+    visit("seed", o.seed, "The seed of the random numbers for noise, holes and outliers");
   }
 };
 

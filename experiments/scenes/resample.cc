@@ -5,12 +5,13 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/subdivision_method_3.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "geometry/core/error.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
@@ -69,8 +70,8 @@ struct StopAtVertices {
 
 Shape resampled(const Shape& shape, int vertices) {
   if (vertices < 4 || vertices > kMostVertices) {
-    throw InputError("shape.vertices is " + std::to_string(vertices) + "; it is 4 to " +
-                     std::to_string(kMostVertices) + ", or 0 for those of the file");
+    throw OptionError("shape.vertices", std::to_string(vertices),
+                      fmt::format("; allowed: 4 to {}, or 0 for those of the file", kMostVertices));
   }
   Mesh mesh = mesh_of(shape);
   while (static_cast<int>(mesh.number_of_vertices()) < vertices) {
@@ -79,8 +80,9 @@ Shape resampled(const Shape& shape, int vertices) {
   sms::edge_collapse(mesh, StopAtVertices{static_cast<std::size_t>(vertices)});
   Shape result = shape_of(mesh);
   if (std::abs(result.V.cols() - vertices) > 0.01 * vertices) {
-    throw InputError("shape.vertices is " + std::to_string(vertices) + ", but the shape comes to " +
-                     std::to_string(result.V.cols()) + " only; ask for more");
+    throw OptionError(
+        "shape.vertices", std::to_string(vertices),
+        fmt::format(", but the shape comes to {} only; ask for more", result.V.cols()));
   }
   return result;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/scenes/resample.h"
-#include "geometry/core/error.h"
+#include "geometry/core/options.h"
 #include "geometry/shape/shape_io.h"
 
 namespace deformlab {
@@ -13,31 +13,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_plane(const ShapeOptions& o) {
-  if (o.columns < 2 || o.rows < 2 || o.columns > 4000 || o.rows > 4000) {
-    throw InputError("shape.columns × shape.rows is " + std::to_string(o.columns) + " × " +
-                     std::to_string(o.rows) + "; each is 2 to 4000");
-  }
-  if (!(o.width > 0 && o.depth > 0)) {
-    throw InputError("shape.width and shape.depth must be positive lengths");
-  }
-}
-
 fs::path find_shape(const std::string& file, const fs::path& folder) {
   for (const fs::path& place :
        {folder / file, fs::path(file), fs::path(DEFORMLAB_SHAPES_DIR) / file}) {
     std::error_code ignored;
     if (fs::exists(place, ignored)) return place;
   }
-  throw InputError("shape.file '" + file +
-                   "' is neither beside the config, nor in the working folder, nor among the "
-                   "packaged meshes of libcgal-demo");
+  throw OptionError(
+      "shape.file", "'" + file + "'",
+      ", which is neither beside the config, nor in the working folder, nor among the "
+      "meshes of libcgal-demo");
 }
 
 }  // namespace
 
 Shape make_plane(const ShapeOptions& o) {
-  check_plane(o);
+  check_options(o);
   Shape shape;
   shape.V.resize(3, Eigen::Index{o.columns} * o.rows);
   const double wave = 2 * std::numbers::pi * o.bumps;

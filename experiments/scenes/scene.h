@@ -23,16 +23,23 @@ struct ShapeOptions {
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("file", o.file,
-          "a shape file: beside the config, here, or among libcgal-demo's meshes; "
-          "empty: a plane is generated from the following");
-    visit("columns", o.columns, "vertices of the plane along x");
-    visit("rows", o.rows, "vertices of the plane along y");
-    visit("width", o.width, "its extent along x");
-    visit("depth", o.depth, "its extent along y");
-    visit("bumps", o.bumps, "periods of its bumps along each side");
-    visit("bump_height", o.bump_height, "their amplitude along z");
-    visit("vertices", o.vertices, "the mesh is subdivided or simplified to so many; 0: it is not");
-    visit("scan", o.scan, "range scans of it, unmerged, in its place");
+          "A file with a shape: beside the config, in the working folder, or among the meshes of "
+          "libcgal-demo; without one, a plane is generated from the options below");
+    visit.range("columns", o.columns, {.min = 2, .max = 4000},
+                "The number of vertices of the plane along x");
+    visit.range("rows", o.rows, {.min = 2, .max = 4000},
+                "The number of vertices of the plane along y");
+    visit.range("width", o.width, {.min = 0, .exclusive_min = true},
+                "The extent of the plane along x [length]");
+    visit.range("depth", o.depth, {.min = 0, .exclusive_min = true},
+                "The extent of the plane along y [length]");
+    visit("bumps", o.bumps, "The number of periods of the plane's bumps along each side");
+    visit("bump_height", o.bump_height, "The amplitude of the bumps along z [length]");
+    visit.range(
+        "vertices", o.vertices, {.min = 0, .max = 2'000'000},
+        "The mesh is subdivided or simplified to this number of vertices; 0 leaves it as it "
+        "is");
+    visit("scan", o.scan, "Range scans of the shape, unmerged, which then take its place");
   }
 };
 

@@ -87,11 +87,11 @@ double excess(const Claim& claim, double x) {
 double measured(const Claim& claim, const std::vector<MeasuredRun>& runs) {
   const std::vector<double> v = values(claim, claim.where, runs);
   if (!claim.versus.children.empty()) return mean(v) / mean(values(claim, claim.versus, runs));
-  if (claim.over == "mean") return mean(v);
-  if (claim.over == "exponent") return exponent(claim, runs);
-  if (claim.over == "spread" || claim.over == "range") {
+  if (claim.over == ClaimOver::kMean) return mean(v);
+  if (claim.over == ClaimOver::kExponent) return exponent(claim, runs);
+  if (claim.over == ClaimOver::kSpread || claim.over == ClaimOver::kRange) {
     const auto [low, high] = std::minmax_element(v.begin(), v.end());
-    return (*high - *low) / (claim.over == "range" ? 1 : std::abs(mean(v)));
+    return (*high - *low) / (claim.over == ClaimOver::kRange ? 1 : std::abs(mean(v)));
   }
   return *std::max_element(v.begin(), v.end(),
                            [&](double a, double b) { return excess(claim, a) < excess(claim, b); });
@@ -131,11 +131,8 @@ void check_form(const Claim& claim) {
   if (!claim.at_least && !claim.at_most && !claim.equals) {
     throw InputError(whose + " expects nothing: give at_least, at_most or equals");
   }
-  if ((claim.over == "exponent") == claim.against.empty()) {
+  if ((claim.over == ClaimOver::kExponent) == claim.against.empty()) {
     throw InputError(whose + ": 'over: exponent' needs 'against', and nothing else does");
-  }
-  if (claim.within < 0) {
-    throw InputError(whose + ": within is " + number(claim.within) + "; it is 0 or more");
   }
   for (const ConfigNode* filter : {&claim.where, &claim.versus}) {
     if (filter->kind == ConfigNode::Kind::kNull || filter->kind == ConfigNode::Kind::kMap) continue;

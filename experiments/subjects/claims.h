@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -7,8 +8,21 @@
 
 #include "experiments/config/config_node.h"
 #include "experiments/measure/measurements.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
+
+/// How the values of several runs become one: the worst of them, their mean, (max − min) / |mean|,
+/// max − min, or the p with which the metric grows as (another metric)ᵖ.
+enum class ClaimOver { kWorst, kMean, kSpread, kRange, kExponent };
+constexpr auto names_of(ClaimOver) {
+  using enum ClaimOver;
+  return std::to_array<EnumName<ClaimOver>>({{kWorst, "worst"},
+                                             {kMean, "mean"},
+                                             {kSpread, "spread"},
+                                             {kRange, "range"},
+                                             {kExponent, "exponent"}});
+}
 
 /// A statement about measurements that a config carries, and that its run checks.
 struct Claim {
@@ -16,30 +30,34 @@ struct Claim {
   std::string says;
   std::string measure, per, against;
   ConfigNode where, versus;
-  std::string over = "worst";
+  ClaimOver over = ClaimOver::kWorst;
   std::optional<double> at_least, at_most, equals;
   double within = 0;
   std::string known;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("name", o.name, "what the claim is called");
-    visit("says", o.says, "the statement, quoted from the paper where it is the paper's");
-    visit.required("measure", o.measure, "name of a metric");
-    visit("per", o.per, "another metric of the same run, by which it is divided");
-    visit(
-        "where", o.where,
-        "the runs of a sweep that it speaks of: dotted keys, and their value or a list of values");
-    visit("versus", o.versus, "other runs: what is measured is then the ratio of the two means");
-    visit.choice("over", o.over, {"worst", "mean", "spread", "range", "exponent"},
-                 "several runs: the worst of them, their mean, (max − min) / |mean|, max − min, or "
-                 "the p with which it grows as (another metric)ᵖ");
-    visit("against", o.against, "exponent: the other metric");
-    visit("at_least", o.at_least, "smallest value that is expected");
-    visit("at_most", o.at_most, "largest value that is expected");
-    visit("equals", o.equals, "value that is expected, up to `within`");
-    visit("within", o.within, "relative deviation from `equals` that is allowed");
-    visit("known", o.known, "why it falls short, where that is known: then it fails nothing");
+    visit.required("name", o.name, "The name of the claim");
+    visit("says", o.says, "The statement, quoted from the paper where it is the paper's");
+    visit.required("measure", o.measure, "The name of the metric that the claim is about");
+    visit("per", o.per, "Another metric of the same run, by which the first is divided");
+    visit("where", o.where,
+          "The runs of a sweep that the claim is about: a map of dotted keys to a value or a list "
+          "of values");
+    visit("versus", o.versus,
+          "Other runs of the sweep; the claim is then about the ratio of the two means");
+    visit("over", o.over,
+          "How the values of several runs become one: the worst of them, their mean, "
+          "(max − min) / |mean|, max − min, or the p with which the metric grows as (another "
+          "metric)ᵖ");
+    visit("against", o.against, "The other metric of an exponent");
+    visit("at_least", o.at_least, "The smallest value that is expected");
+    visit("at_most", o.at_most, "The largest value that is expected");
+    visit("equals", o.equals, "The value that is expected, up to `within`");
+    visit.range("within", o.within, {.min = 0},
+                "The relative deviation from `equals` that is allowed");
+    visit("known", o.known,
+          "The reason why the claim falls short, where it is known; the run then does not fail");
   }
 };
 

@@ -37,26 +37,27 @@ struct ExperimentConfig {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("title", o.title, "one line for the gallery");
-    visit("paper", o.paper, "what the paper says of it");
-    visit("shape", o.shape, "what is deformed");
-    visit("drawing", o.drawing, "a drawing that is deformed in the plane instead");
-    visit("animation", o.animation, "an animation that is edited instead");
+    visit("title", o.title, "One line for the gallery");
+    visit("paper", o.paper, "What the paper says about it");
+    visit("shape", o.shape, "The shape that is deformed");
+    visit("drawing", o.drawing, "A drawing that is deformed in the plane instead of a shape");
+    visit("animation", o.animation, "An animation that is edited instead of a shape");
     MethodOptions::fields(o.method, visit);
     visit("paint", o.paint,
-          "stiff parts of a drawing: a list of {select, weight} or {mask: FILE.png, weight}");
+          "Stiff parts of a drawing: a list of {select, weight} or {mask: FILE.png, weight}");
     visit("cut", o.cut,
-          "parts of a shape that follow no common node: a list of {between: SELECTION, and: "
+          "Parts of a shape that follow no common node: a list of {between: SELECTION, and: "
           "SELECTION}");
-    visit.required("edit", o.edit, "list of selections and what happens to them");
-    visit("drag", o.drag, "in how many updates the handles reach their targets");
-    visit("depth", o.depth, "which of two parts of a drawing that overlap is in front");
-    visit("measure", o.measure, "what is measured beyond what every run measures");
-    visit("picture", o.picture, "how it is drawn");
-    visit("sweep", o.sweep,
-          "dotted keys and lists of values, or a word and maps of keys by name: every combination "
-          "is run");
-    visit("claims", o.claims, "what the measurements must show");
+    visit.required("edit", o.edit, "A list of selections and what happens to them");
+    visit("drag", o.drag, "The updates in which the handles go to their targets");
+    visit("depth", o.depth, "Which of two parts of a drawing is in front where they overlap");
+    visit("measure", o.measure, "What is measured beyond what every run measures");
+    visit("picture", o.picture, "How the picture is drawn");
+    visit(
+        "sweep", o.sweep,
+        "Dotted keys with lists of values, or a word with maps of keys by name; every combination "
+        "is run");
+    visit("claims", o.claims, "What the measurements must show");
   }
 };
 

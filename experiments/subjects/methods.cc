@@ -1,48 +1,65 @@
 #include "experiments/subjects/methods.h"
 
-#include "geometry/core/error.h"
+#include <fmt/format.h>
+
+#include <string>
+
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
 
-std::unique_ptr<Deformer> make_embedded(const Shape& rest,
-                                        const EmbeddedDeformationOptions& options,
-                                        std::span<const Cut> cuts = {}) {
-  if (options.graph.adaptive.start == 0) {
-    return std::make_unique<EmbeddedDeformation>(rest, options, cuts);
+// Errors of a method's options name them as a config does.
+template <class Action>
+std::unique_ptr<Deformer> made(DeformerKind kind, Action&& make) {
+  return inside_option(name_of(kind), make);
+}
+
+std::unique_ptr<Deformer> make_embedded(const MethodOptions& options, const Shape& rest,
+                                        std::span<const Cut> cuts) {
+  if (options.adaptive.start == 0) {
+    return std::make_unique<EmbeddedDeformation>(rest, options.deformation, cuts);
   }
-  return std::make_unique<AdaptiveDeformation>(rest, options, cuts);
+  return std::make_unique<AdaptiveDeformation>(rest, options.deformation, options.adaptive, cuts);
+}
+
+[[noreturn]] void reject(DeformerKind kind, const char* why) {
+  throw OptionError("deformer", std::string(name_of(kind)), why);
 }
 
 }  // namespace
 
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest,
                                         std::span<const Cut> cuts) {
-  const bool embedded = options.deformer == "embedded_deformation" || options.deformer == "auto";
-  if (!embedded && !cuts.empty()) {
-    throw InputError(cuts.front().name + ": deformer '" + options.deformer +
-                     "' has no graph to cut; leave 'cut' out");
+  using enum DeformerKind;
+  const DeformerKind kind = options.deformer;
+  if (kind == kAuto || kind == kEmbeddedDeformation) return make_embedded(options, rest, cuts);
+  if (kind == kArap2d) reject(kind, ", which is for drawings: give 'drawing', not 'shape'");
+  if (!cuts.empty()) {
+    throw InputError(fmt::format("{}: deformer '{}' has no graph to cut; leave 'cut' out",
+                                 cuts.front().name, name_of(kind)));
   }
-  if (options.deformer == "rbf") return std::make_unique<RbfDeformation>(rest, options.rbf);
-  if (options.deformer == "primo") return std::make_unique<PrimoDeformation>(rest, options.primo);
-  if (options.deformer == "cgal_arap") return std::make_unique<CgalArap>(rest, options.arap);
-  if (options.deformer == "arap_2d") {
-    throw InputError("deformer 'arap_2d' is for drawings: give 'drawing', not 'shape'");
-  }
-  return make_embedded(rest, options.deformation, cuts);
+  return made(kind, [&]() -> std::unique_ptr<Deformer> {
+    if (kind == kRbf) return std::make_unique<RbfDeformation>(rest, options.rbf);
+    if (kind == kPrimo) return std::make_unique<PrimoDeformation>(rest, options.primo);
+    return std::make_unique<CgalArap>(rest, options.cgal_arap);
+  });
 }
 
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const DrawingScene& scene) {
-  if (options.deformer == "arap_2d" || options.deformer == "auto") {
-    return std::make_unique<Arap2d>(scene.rest, scene.weights, options.arap_2d);
+  using enum DeformerKind;
+  if (options.deformer == kAuto || options.deformer == kArap2d) {
+    return made(kArap2d, [&] {
+      return std::make_unique<Arap2d>(scene.rest, scene.weights, options.arap_2d);
+    });
   }
-  if (options.deformer == "embedded_deformation") {
-    EmbeddedDeformationOptions in_the_plane = options.deformation;
-    in_the_plane.dimension = 2;
-    return make_embedded(to_shape(scene.rest), in_the_plane);
+  if (options.deformer == kEmbeddedDeformation) {
+    MethodOptions in_the_plane = options;
+    in_the_plane.deformation.dimension = 2;
+    return make_embedded(in_the_plane, to_shape(scene.rest), {});
   }
-  throw InputError("deformer '" + options.deformer +
-                   "' is for shapes in space; a drawing takes arap_2d or embedded_deformation");
+  reject(options.deformer,
+         ", which is for shapes in space; a drawing takes arap_2d or embedded_deformation");
 }
 
 }  // namespace deformlab

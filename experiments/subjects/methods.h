@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
-#include <string>
 
 #include "deformers/arap_2d/arap_2d.h"
 #include "deformers/baselines/cgal_arap.h"
@@ -14,26 +14,44 @@
 
 namespace deformlab {
 
-/// The method that a config runs, and what each can be told. Embedded deformation's options stand
-/// at the top of a config, those of the others under their names.
+/// The method that deforms. auto: embedded_deformation for a shape, arap_2d for a drawing.
+enum class DeformerKind { kAuto, kEmbeddedDeformation, kArap2d, kRbf, kPrimo, kCgalArap };
+constexpr auto names_of(DeformerKind) {
+  using enum DeformerKind;
+  return std::to_array<EnumName<DeformerKind>>({{kAuto, "auto"},
+                                                {kEmbeddedDeformation, "embedded_deformation"},
+                                                {kArap2d, "arap_2d"},
+                                                {kRbf, "rbf"},
+                                                {kPrimo, "primo"},
+                                                {kCgalArap, "cgal_arap"}});
+}
+
+/// The method that a config runs, and the options of each method. Those of embedded deformation
+/// stand at the top of a config, those of the others under the method's name.
 struct MethodOptions {
-  std::string deformer = "auto";
+  DeformerKind deformer = DeformerKind::kAuto;
   EmbeddedDeformationOptions deformation;
+  AdaptiveOptions adaptive;
   Arap2dOptions arap_2d;
   RbfOptions rbf;
   PrimoOptions primo;
-  CgalArapOptions arap;
+  CgalArapOptions cgal_arap;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("deformer", o.deformer,
-                 {"auto", "embedded_deformation", "arap_2d", "rbf", "primo", "cgal_arap"},
-                 "the method; auto: embedded_deformation of a shape, arap_2d of a drawing");
+    visit("deformer", o.deformer,
+          "The method that deforms; auto takes embedded_deformation for a shape and arap_2d for a "
+          "drawing");
     EmbeddedDeformationOptions::fields(o.deformation, visit);
-    visit("arap_2d", o.arap_2d, "options of the method for drawings");
-    visit("rbf", o.rbf, "options of radial basis functions");
-    visit("primo", o.primo, "options of PriMo");
-    visit("cgal_arap", o.arap, "options of CGAL's as-rigid-as-possible deformation");
+    visit(
+        "adaptive", o.adaptive,
+        "A graph of embedded deformation that begins with few nodes and grows where an edit needs "
+        "them");
+    visit("arap_2d", o.arap_2d,
+          "Options of as-rigid-as-possible manipulation of drawings (Igarashi et al. 2005)");
+    visit("rbf", o.rbf, "Options of deformation by radial basis functions");
+    visit("primo", o.primo, "Options of PriMo");
+    visit("cgal_arap", o.cgal_arap, "Options of CGAL's as-rigid-as-possible deformation");
   }
 };
 

@@ -1,11 +1,20 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
+#include <array>
+
+#include "geometry/core/options.h"
 
 namespace deformlab {
 
 struct RenderOptions;
+
+/// The panels in which the deformation graph, or a drawing's mesh, is shown.
+enum class PicturedGraph { kRest, kAll, kNone };
+constexpr auto names_of(PicturedGraph) {
+  using enum PicturedGraph;
+  return std::to_array<EnumName<PicturedGraph>>({{kRest, "rest"}, {kAll, "all"}, {kNone, "none"}});
+}
 
 /// What a config's picture shows.
 struct PictureOptions {
@@ -15,25 +24,30 @@ struct PictureOptions {
   int width = 800;
   int height = 600;
   int columns = 0;
-  std::string graph = "rest";
+  PicturedGraph graph = PicturedGraph::kRest;
   bool frames = false;
   bool rest = true;
   bool stages = false;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("direction", o.direction, "of view, from the eye into the scene");
-    visit("up", o.up, "what points up in the picture");
-    visit("light", o.light, "toward the main light: right, up, back to the camera");
-    visit("width", o.width, "of one panel [pixel]; a drawing's are 420 wide where it is not set");
-    visit("height", o.height, "of one panel [pixel]");
-    visit("columns", o.columns, "panels beside each other; 0: two for one run, four for a sweep");
-    visit.choice("graph", o.graph, {"rest", "all", "none"},
-                 "panels with the deformation graph, or a drawing's mesh");
+    visit("direction", o.direction, "The direction of view, from the eye into the scene");
+    visit("up", o.up, "The direction that points up in the picture");
+    visit("light", o.light,
+          "The direction toward the main light: to the right, up, and back to the camera");
+    visit.range("width", o.width, {.min = 1, .max = 4096},
+                "The width of one panel; those of a drawing are 420 wide where it is not set "
+                "[pixel]");
+    visit.range("height", o.height, {.min = 1, .max = 4096}, "The height of one panel [pixel]");
+    visit.range("columns", o.columns, {.min = 0},
+                "The number of panels beside each other; 0 gives two for one run, and four for a "
+                "sweep");
+    visit("graph", o.graph, "The panels that show the deformation graph, or the mesh of a drawing");
     visit("frames", o.frames,
-          "draw a square at each node, along x and z at rest, that shows its R_j");
-    visit("rest", o.rest, "a panel of the rest shape first");
-    visit("stages", o.stages, "of a rigid shape: panels of step one and of the fitted triangles");
+          "Whether a square at each node, which lies along x and z at rest, shows its R_j");
+    visit("rest", o.rest, "Whether the first panel shows the rest shape");
+    visit("stages", o.stages,
+          "Whether arap_2d has panels of step one's result and of the fitted triangles");
   }
 };
 

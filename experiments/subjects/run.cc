@@ -70,7 +70,9 @@ void check_swept_keys(const ConfigNode& sweep) {
 
 bool is_drawing(const ExperimentConfig& config) { return !config.drawing.file.empty(); }
 
-bool is_animation(const ExperimentConfig& config) { return config.animation.generator != "none"; }
+bool is_animation(const ExperimentConfig& config) {
+  return config.animation.generator != AnimationGenerator::kNone;
+}
 
 void check_edit(const ExperimentConfig& config) {
   if (is_animation(config)) {
@@ -91,21 +93,23 @@ struct Plan {
   ExperimentConfig config;
   std::vector<SweptRun> combinations;
   std::vector<ExperimentConfig> runs;
+  std::vector<ConfigNode> roots;         ///< what each run was read from
   std::optional<std::size_t> reference;  ///< the run that all are compared with
 };
 
 Plan plan(const std::filesystem::path& path, const std::vector<Override>& overrides) {
   const ConfigNode root = with_overrides(load_config(path), overrides);
-  Plan result{read(root), {}, {}, {}};
+  Plan result{read(root), {}, {}, {}, {}};
   check(result.config.picture);
   for (const Claim& claim : result.config.claims) check_form(claim);
   check_not_swept(overrides, result.config.sweep);
   check_swept_keys(result.config.sweep);
   result.combinations = expand_sweep(result.config.sweep);
   for (const auto& combination : result.combinations) {
-    result.runs.push_back(read(with_overrides(root, combination.overrides)));
-    make_solver(result.runs.back().method.deformation.solver);
-    check(result.runs.back().drag);
+    const ConfigNode& its = result.roots.emplace_back(with_overrides(root, combination.overrides));
+    result.runs.push_back(read(its));
+    const SolverOptions& solver = result.runs.back().method.deformation.solver;
+    with_lines_of(its, [&] { inside_option("solver", [&] { make_solver(solver); }); });
     check(result.runs.back().measure);
     check(result.runs.back().picture);
     check_edit(result.runs.back());
@@ -184,7 +188,7 @@ void check_experiment(const std::filesystem::path& path, const std::vector<Overr
 
 Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        const Progress& progress) {
-  const auto [config, combinations, configs, reference] = plan(path, overrides);
+  const auto [config, combinations, configs, roots, reference] = plan(path, overrides);
   Outcome outcome;
   outcome.config = config;
   outcome.resolved = to_node(outcome.config);
@@ -194,7 +198,8 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
     settings.settings = combinations[i].settings;
     progress(i + 1, configs.size(), label(settings));
     const std::string caption = configs.size() > 1 ? label(settings) : "deformed";
-    outcome.runs.push_back(books.run(configs[i], path.parent_path(), caption));
+    outcome.runs.push_back(with_lines_of(
+        roots[i], [&] { return books.run(configs[i], path.parent_path(), caption); }));
     outcome.runs.back().measured.settings = settings.settings;
   }
   for (Run& run : outcome.runs) {

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 
-#include "geometry/core/error.h"
+#include "geometry/core/disjoint_sets.h"
 
 namespace deformlab {
 namespace {
@@ -73,27 +72,23 @@ std::vector<Overlap> overlaps(const Embedding& e, std::span<const int> followed)
   return std::move(pairs).sorted();
 }
 
-int find_root(std::vector<int>& parent, int j) {
-  while (parent[j] != j) j = parent[j] = parent[parent[j]];
-  return j;
-}
-
 }  // namespace
 
-DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
-                         const std::string& alpha, std::span<const int> followed) {
-  if (alpha != "uniform" && alpha != "overlap" && alpha != "length") {
-    throw InputError("unknown graph.alpha '" + alpha + "'; known: uniform, overlap, length");
-  }
+DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding, EdgeWeights alpha,
+                         std::span<const int> followed) {
   DeformationGraph graph{g, {}};
   for (const Overlap& o : overlaps(embedding, followed))
     graph.edges.push_back({o.j, o.k, o.amount});
-  if (alpha == "uniform") {
-    for (GraphEdge& edge : graph.edges) edge.alpha = 1;
-  } else if (alpha == "overlap") {
-    normalize_weights(graph);
-  } else {
-    weigh_by_length(graph);
+  switch (alpha) {
+    case EdgeWeights::kUniform:
+      for (GraphEdge& edge : graph.edges) edge.alpha = 1;
+      break;
+    case EdgeWeights::kOverlap:
+      normalize_weights(graph);
+      break;
+    case EdgeWeights::kLength:
+      weigh_by_length(graph);
+      break;
   }
   return graph;
 }
@@ -129,19 +124,9 @@ double mean_edge_length(const DeformationGraph& graph) {
 }
 
 std::vector<int> components(const DeformationGraph& graph) {
-  std::vector<int> parent(graph.g.cols());
-  std::iota(parent.begin(), parent.end(), 0);
-  for (const GraphEdge& e : graph.edges) {
-    const auto [lo, hi] = std::minmax({find_root(parent, e.j), find_root(parent, e.k)});
-    parent[hi] = lo;  // the root is the smallest index, so numbers come out in order
-  }
-  std::vector<int> component(parent.size());
-  int count = 0;
-  for (int j = 0; j < static_cast<int>(parent.size()); ++j) {
-    const int root = find_root(parent, j);
-    component[j] = root == j ? count++ : component[root];
-  }
-  return component;
+  DisjointSets sets(graph.g.cols());
+  for (const GraphEdge& edge : graph.edges) sets.join(edge.j, edge.k);
+  return sets.numbered();
 }
 
 }  // namespace deformlab

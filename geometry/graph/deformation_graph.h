@@ -1,101 +1,121 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "geometry/core/options.h"
 #include "geometry/shape/shape.h"
 #include "geometry/transfer/embedding.h"
 
 namespace deformlab {
 
-/// A graph that is refined where an edit needs it (Sumner et al. 2007, section 6).
-struct AdaptiveOptions {
-  int start = 0;   ///< nodes to begin with, GraphOptions::nodes being those at the end; 0: not so
-  int rounds = 4;  ///< in how many refinements
+/// How many nodes a graph may have. The greatest number is far beyond what solves in seconds.
+inline constexpr Range kNodeRange{.min = 1, .max = 100'000};
 
-  template <class Self, class Visit>
-  static void fields(Self& o, Visit&& visit) {
-    visit("start", o.start, "nodes to begin with, of graph.nodes at the end; 0: all at once");
-    visit("rounds", o.rounds, "in how many steps the others are added, each where the last failed");
-  }
-};
+/// Where the nodes are: spread over the shape by sampling; at those vertices that remain of a mesh
+/// after its simplification; on a regular grid over a flat shape (Sumner et al. 2007, Figure 5); or
+/// as a file says.
+enum class NodePlacement { kSampling, kSimplification, kGrid, kFile };
+constexpr auto names_of(NodePlacement) {
+  using enum NodePlacement;
+  return std::to_array<EnumName<NodePlacement>>({{kSampling, "sampling"},
+                                                 {kSimplification, "simplification"},
+                                                 {kGrid, "grid"},
+                                                 {kFile, "file"}});
+}
+
+/// How far a node is from a vertex: straight, as in the paper; along the surface of a manifold
+/// mesh, by the heat method; or along the edges of any mesh, which is many times faster on large
+/// ones.
+enum class NodeDistance { kEuclidean, kGeodesic, kEdgePaths };
+constexpr auto names_of(NodeDistance) {
+  using enum NodeDistance;
+  return std::to_array<EnumName<NodeDistance>>(
+      {{kEuclidean, "euclidean"}, {kGeodesic, "geodesic"}, {kEdgePaths, "edge_paths"}});
+}
+
+/// The weight α_jk of an edge in Eq. 7: 1, as in the paper; in proportion to the overlap of
+/// influence Σ_i w_j(v_i) w_k(v_i); or in proportion to ‖g_j − g_k‖⁻², so that bending costs the
+/// same where a graph is dense and where it is not.
+enum class EdgeWeights { kUniform, kOverlap, kLength };
+constexpr auto names_of(EdgeWeights) {
+  using enum EdgeWeights;
+  return std::to_array<EnumName<EdgeWeights>>(
+      {{kUniform, "uniform"}, {kOverlap, "overlap"}, {kLength, "length"}});
+}
 
 /// How a deformation graph is made (Sumner et al. 2007, section 3).
 struct GraphOptions {
-  /// Where the nodes are: spread by `sampling`; those vertices that remain of a mesh after its
-  /// `simplification`; a regular `grid` over a flat shape (Figure 5); given in a `file`.
-  std::string method = "sampling";
-  int nodes = 300;             ///< m, met exactly; a file has its own
-  std::filesystem::path file;  ///< of nodes and edges, an OBJ of v and l lines
-  double aspect_ratio = 3;     ///< of simplification: circumradius over twice the inradius, at most
-  /// How far a node is from a vertex: straight (`euclidean`, the paper's), along the surface of a
-  /// manifold mesh (`geodesic`, by the heat method), or along the edges of any mesh (`edge_paths`,
-  /// which is many times faster on large ones).
-  std::string distance = "euclidean";
+  NodePlacement method = NodePlacement::kSampling;
+  int nodes = 300;             ///< m, met exactly; a file has its own number
+  std::filesystem::path file;  ///< of nodes and edges: an OBJ file of v and l lines
+  double aspect_ratio = 3;     ///< circumradius over twice the inradius of simplified triangles
+  NodeDistance distance = NodeDistance::kEuclidean;
   int neighbors = 4;  ///< k of Eq. 4; the paper uses 4, and 8 in Figure 5 (d)
-  /// α_jk of Eq. 7: uniform (1, the paper's), overlap (of influence), or length, in proportion to
-  /// ‖g_j − g_k‖⁻², so that bending costs the same where a graph is dense and where it is not.
-  std::string alpha = "uniform";
-  std::uint64_t seed = 1;  ///< of the sampling: another seed draws other nodes
-  AdaptiveOptions adaptive;
+  EdgeWeights alpha = EdgeWeights::kUniform;
+  std::uint64_t seed = 1;  ///< another seed draws other samples
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("method", o.method, {"sampling", "simplification", "grid", "file"},
-                 "how nodes are placed: spread over the shape, by simplifying a mesh, on a regular "
-                 "grid over a flat shape, or by hand");
-    visit("nodes", o.nodes, "number of graph nodes m, met exactly");
-    visit("file", o.file, "a graph made by hand: an OBJ file of v and l lines");
-    visit("aspect_ratio", o.aspect_ratio,
-          "of the triangles of a simplification at most; 1 is equilateral");
-    visit.choice("distance", o.distance, {"euclidean", "geodesic", "edge_paths"},
-                 "of nodes and vertices: straight, along the surface of a manifold mesh, or along "
-                 "the edges of any mesh (faster)");
-    visit("neighbors", o.neighbors, "nodes that each vertex follows, k of Eq. 4");
-    visit.choice("alpha", o.alpha, {"uniform", "overlap", "length"},
-                 "weight of an edge in Eq. 7: 1, in proportion to the overlap of influence, or to "
-                 "length⁻², for graphs that are denser in places");
-    visit("seed", o.seed, "of the node sampling");
-    visit("adaptive", o.adaptive, "nodes that are added where an edit turns out to need them");
+    visit("method", o.method,
+          "How nodes are placed: spread over the shape, by simplifying its mesh, on a regular grid "
+          "over a flat shape, or as a file says");
+    visit.range("nodes", o.nodes, kNodeRange,
+                "The number of nodes of the graph, which is met exactly");
+    visit("file", o.file, "An OBJ file with the nodes (v lines) and edges (l lines) of the graph");
+    visit.range("aspect_ratio", o.aspect_ratio, {.min = 1},
+                "The greatest aspect ratio of a triangle that simplification may make; that of an "
+                "equilateral triangle is 1");
+    visit("distance", o.distance,
+          "How the distance of a node and a vertex is measured: straight, along the surface of a "
+          "manifold mesh, or along the edges of any mesh (faster)");
+    visit.range("neighbors", o.neighbors, kNeighborRange,
+                "The number of nodes that each vertex follows, k in Eq. 4 of Sumner et al. 2007");
+    visit(
+        "alpha", o.alpha,
+        "The weight of an edge in Eq. 7 of Sumner et al. 2007: 1, in proportion to the overlap of "
+        "the nodes' influence, or to length⁻², for graphs that are denser in some parts");
+    visit("seed", o.seed, "The seed of the random numbers for sampling nodes");
   }
 };
 
-/// Undirected edge between two nodes that influence a common vertex, or that were joined by hand;
-/// Eq. 7 takes it both ways.
+/// An undirected edge between two nodes that influence a common vertex, or that a file joins. Eq. 7
+/// sums over both of its directions.
 struct GraphEdge {
   int j, k;      ///< j < k
-  double alpha;  ///< α_jk, of mean one over all edges
+  double alpha;  ///< α_jk, whose mean over all edges is one
 };
 
-/// Nodes with a place at rest, and the edges over which their transformations must agree.
+/// Nodes with their positions at rest, and the edges over which their transformations must agree.
 struct DeformationGraph {
   Eigen::Matrix3Xd g;            ///< 3×m node positions g_j [length]
   std::vector<GraphEdge> edges;  ///< sorted by (j, k), each once
 };
 
-/// Joins every two of the nodes `g` (3×m) that influence a common point of `embedding`, and weighs
-/// the edges as `alpha` says: "uniform", "overlap" for Σ_i w_j(v_i) w_k(v_i), or "length" for
-/// ‖g_j − g_k‖⁻². Where some points follow fewer nodes than there are rows, `followed` says of each
-/// point how many of them count.
+/// Joins every two of the nodes `g` (3×m) that influence a common point of `embedding`, and gives
+/// the edges their weights. Where some points follow fewer nodes than the embedding has rows,
+/// `followed` gives for each point how many of its nodes count.
 DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
-                         const std::string& alpha = "uniform", std::span<const int> followed = {});
+                         EdgeWeights alpha = EdgeWeights::kUniform,
+                         std::span<const int> followed = {});
 
-/// Weighs edges that are there already by length⁻², with mean one; one of no length like the
-/// shortest of the others.
+/// Gives the edges of a graph weights in proportion to length⁻², with mean one. An edge of length
+/// zero gets the weight of the shortest edge that is longer.
 void weigh_by_length(DeformationGraph& graph);
 
-/// Scales the weights of edges to a mean of one; where they sum up to nothing, each becomes one.
+/// Scales the weights of the edges to a mean of one; where their sum is zero, each becomes one.
 void normalize_weights(DeformationGraph& graph);
 
-/// Mean length of an edge [length]; without edges the diagonal of the nodes' bounding box, and for
-/// a single point 1: the unit that E_reg and E_con are measured in by default.
+/// The mean length of an edge [length], which is the default unit of E_reg and E_con. A graph
+/// without edges gives the diagonal of the nodes' bounding box, and a single node gives 1.
 double mean_edge_length(const DeformationGraph& graph);
 
-/// The connected component of each node, numbered from 0 in the order of their first nodes.
+/// The connected component of each node. Components are numbered from 0 in the order of their first
+/// nodes.
 std::vector<int> components(const DeformationGraph& graph);
 
 }  // namespace deformlab

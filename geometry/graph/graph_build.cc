@@ -1,12 +1,13 @@
 #include "geometry/graph/graph_build.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "geometry/core/error.h"
 #include "geometry/graph/graph_file.h"
 #include "geometry/graph/graph_grid.h"
 #include "geometry/graph/graph_simplification.h"
@@ -33,38 +34,38 @@ struct Placed {
 };
 
 void check_file(const GraphOptions& options) {
-  const bool by_hand = options.method == "file";
+  const bool by_hand = options.method == NodePlacement::kFile;
   if (by_hand && options.file.empty()) {
-    throw InputError(
-        "graph.method is file, but graph.file names none; give it an OBJ of 'v x y z' and "
-        "'l i j' lines");
+    throw OptionError("method", "file",
+                      ", but the option file names none; give it an OBJ file of 'v x y z' and "
+                      "'l i j' lines");
   }
   if (!by_hand && !options.file.empty()) {
-    throw InputError("graph.file is '" + options.file.string() + "', but graph.method is " +
-                     options.method + "; make it file, or leave the file out");
+    throw OptionError("file", fmt::format("'{}'", options.file.string()),
+                      fmt::format(", but method is {}; make it file, or leave the file out",
+                                  name_of(options.method)));
   }
 }
 
 Placed place(const Shape& shape, const GraphOptions& options) {
-  check_file(options);
   const auto at = [&](const std::vector<int>& vertices) {
     return Placed{shape.V(Eigen::all, vertices), vertices};
   };
-  if (options.method == "sampling") {
-    const Eigen::Matrix3Xd g = sample_nodes(shape, options.nodes, options.seed);
-    if (options.distance == "euclidean") return {g};
-    return at(distinct_nearest_vertices(g, shape.V));
+  switch (options.method) {
+    case NodePlacement::kSampling:
+      break;
+    case NodePlacement::kSimplification:
+      return at(simplify(shape, options.nodes, options.aspect_ratio).vertices);
+    case NodePlacement::kGrid:
+      return at(grid_nodes(shape, options.nodes));
+    case NodePlacement::kFile: {
+      DeformationGraph graph = read_graph(options.file);
+      return {std::move(graph.g), {}, std::move(graph.edges)};
+    }
   }
-  if (options.method == "simplification") {
-    return at(simplify(shape, options.nodes, options.aspect_ratio).vertices);
-  }
-  if (options.method == "grid") return at(grid_nodes(shape, options.nodes));
-  if (options.method == "file") {
-    DeformationGraph graph = read_graph(options.file);
-    return {std::move(graph.g), {}, std::move(graph.edges)};
-  }
-  throw InputError("unknown graph.method '" + options.method +
-                   "'; known: sampling, simplification, grid, file");
+  const Eigen::Matrix3Xd g = sample_nodes(shape, options.nodes, options.seed);
+  if (options.distance == NodeDistance::kEuclidean) return {g};
+  return at(distinct_nearest_vertices(g, shape.V));
 }
 
 bool is_before(const GraphEdge& one, const GraphEdge& other) {
@@ -98,7 +99,7 @@ class Builder {
  private:
   VertexEmbedding embed(const Placed& placed) {
     built_.node_vertices = placed.vertices;
-    const bool needed = !cuts_.empty() || options_.distance != "euclidean";
+    const bool needed = !cuts_.empty() || options_.distance != NodeDistance::kEuclidean;
     if (needed && placed.vertices.empty()) {
       built_.node_vertices = nearest_vertices(placed.g, shape_.V);
     }
@@ -112,21 +113,20 @@ class Builder {
     if (placed.edges) take(*placed.edges, graph);
     if (!cuts_.empty()) cut(graph);
     const bool changed = placed.edges || !cuts_.empty();
-    if (changed && options_.alpha != "uniform") normalize_weights(graph);
+    if (changed && options_.alpha != EdgeWeights::kUniform) normalize_weights(graph);
     return graph;
   }
 
   // An edge of no weight joins nothing, and a part that only it joined is free.
   void take(const std::vector<GraphEdge>& by_hand, DeformationGraph& graph) {
-    const bool by_overlap = options_.alpha == "overlap";
+    const bool by_overlap = options_.alpha == EdgeWeights::kOverlap;
     graph.edges = by_overlap ? weighed(by_hand, graph.edges) : by_hand;
-    if (options_.alpha == "length") weigh_by_length(graph);
+    if (options_.alpha == EdgeWeights::kLength) weigh_by_length(graph);
     const auto left_out =
         std::erase_if(graph.edges, [](const GraphEdge& edge) { return edge.alpha == 0; });
     if (left_out == 0) return;
-    built_.notes.push_back(
-        "edges that join nodes without a common vertex, which graph.alpha: overlap leaves out: " +
-        std::to_string(left_out));
+    built_.notes.push_back(fmt::format(
+        "alpha: overlap leaves out {} edges that join nodes without a common vertex", left_out));
   }
 
   void cut(DeformationGraph& graph) {
@@ -135,13 +135,14 @@ class Builder {
       return groups_.apart[groups_.of_node[edge.j]][groups_.of_node[edge.k]];
     });
     if (parts(graph) <= before) return;
-    built_.notes.push_back("the cuts leave the graph in " + std::to_string(parts(graph)) +
-                           " parts instead of " + std::to_string(before) +
-                           ": each moves only with handles of its own");
+    built_.notes.push_back(
+        fmt::format("the cuts leave the graph in {} parts instead of {}: each "
+                    "moves only with handles of its own",
+                    parts(graph), before));
   }
 
   int parts_without_cuts(const Eigen::Matrix3Xd& g) const {
-    if (options_.distance == "euclidean") {
+    if (options_.distance == NodeDistance::kEuclidean) {
       return parts(connect(g, deformlab::embed(shape_.V, g, options_.neighbors)));
     }
     const std::vector<int> part = connected_parts(shape_);
@@ -157,20 +158,20 @@ class Builder {
   void note(const VertexEmbedding& embedded) {
     const Eigen::Index m = built_.graph.g.cols(), k = embedded.embedding.nodes.rows();
     if (k < options_.neighbors) {
-      built_.notes.push_back("the graph has " + std::to_string(m) +
-                             " nodes, fewer than graph.neighbors + 1: each vertex follows " +
-                             std::to_string(k));
+      built_.notes.push_back(fmt::format(
+          "the graph has {} nodes, fewer than neighbors + 1: each vertex follows {}", m, k));
     }
     if (m > shape_.V.cols()) {
-      built_.notes.push_back("the graph has " + std::to_string(m) + " nodes for " +
-                             std::to_string(shape_.V.cols()) +
-                             " vertices: nodes that no vertex follows do nothing; use fewer");
+      built_.notes.push_back(
+          fmt::format("the graph has {} nodes for {} vertices: nodes that no "
+                      "vertex follows do nothing; use fewer",
+                      m, shape_.V.cols()));
     }
     if (embedded.unreached > 0) {
-      built_.notes.push_back(
-          "vertices on parts of the surface where no node is, which follow the "
-          "nodes nearest in space: " +
-          std::to_string(embedded.unreached) + "; use more nodes");
+      built_.notes.push_back(fmt::format(
+          "{} vertices are on parts of the surface where no node is, and follow the nodes that are "
+          "nearest in space; use more nodes",
+          embedded.unreached));
     }
   }
 
@@ -184,6 +185,8 @@ class Builder {
 }  // namespace
 
 BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts) {
+  check_options(options);
+  check_file(options);
   check(shape, "the shape");
   double seconds = 0;
   const Placed placed = timed(seconds, [&] { return place(shape, options); });
@@ -194,6 +197,7 @@ BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::spa
 
 BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
                        const GraphOptions& options, std::span<const Cut> cuts) {
+  check_options(options);
   check(shape, "the shape");
   if (nodes.cols() > 0) check(Shape{nodes, {}, {}}, "the nodes");
   return Builder(shape, options, cuts).run({nodes});
@@ -201,6 +205,7 @@ BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
 
 BuiltGraph build_graph(const Shape& shape, DeformationGraph graph, const GraphOptions& options,
                        std::span<const Cut> cuts) {
+  check_options(options);
   return Builder(shape, options, cuts).run({std::move(graph.g), {}, std::move(graph.edges)});
 }
 

@@ -6,12 +6,13 @@
 
 namespace deformlab {
 
-/// Reads a graph that was made by hand from an OBJ file: a line `v x y z` is a node [length], a
-/// line `l a b …` joins each node that it names to the next (from 1, or from −1 backwards from the
-/// newest one). Groups, names and materials are passed over. All α_jk are 1. Throws InputError,
-/// naming line and node, for a node at the place of another or without an edge (unless it is the
-/// only one), one too far away to compute with, an edge to a node that does not exist, to itself or
-/// given twice, a face, and where the file cannot be read or holds no node.
+/// Reads a graph that was made by hand from an OBJ file. A line `v x y z` is a node [length]; a
+/// line `l a b …` joins each node that it names to the next. Nodes are numbered from 1, and
+/// backwards from −1, which is the newest node. Groups, names and materials are ignored. All α_jk
+/// are 1. Throws InputError, which names the line and the node, for a node at the position of
+/// another, without an edge (unless it is the only node) or too far away to compute with; for an
+/// edge to a node that does not exist or to itself, and a repeated edge; for a face; and where the
+/// file cannot be read or has no node.
 DeformationGraph read_graph(const std::filesystem::path& path);
 
 }  // namespace deformlab

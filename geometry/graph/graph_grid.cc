@@ -1,14 +1,15 @@
 #include "geometry/graph/graph_grid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <utility>
 
-#include "geometry/core/error.h"
+#include "geometry/graph/deformation_graph.h"
 #include "geometry/graph/graph_vertices.h"
 
 namespace deformlab {
@@ -36,8 +37,7 @@ Cells divide(double w, double h, int m) {
 }
 
 std::string text_of(const Cells& cells) {
-  return std::to_string(cells.a * cells.b) + " (" + std::to_string(cells.a) + " × " +
-         std::to_string(cells.b) + ")";
+  return fmt::format("{} ({} × {})", cells.a * cells.b, cells.a, cells.b);
 }
 
 // "198 (18 × 11)" and "209 (19 × 11)", the next counts below and above m that make good cells,
@@ -57,22 +57,25 @@ std::string next_counts(double w, double h, int m, Eigen::Index most) {
 }
 
 Cells checked_cells(double w, double h, int m, Eigen::Index vertices) {
-  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
-  if (!(h > 0)) throw InputError("graph.method: grid needs a flat shape, but this one is a line");
+  check_number("nodes", m, kNodeRange);
+  if (!(h > 0)) {
+    throw OptionError("method", "grid", ", which needs a flat shape, but this one is a line");
+  }
   const Cells cells = divide(w, h, m);
   if (cells.shape <= kLongestCell) return cells;
   const bool too_thin = w / h / static_cast<double>(vertices) > kLongestCell;
   const std::string counts = too_thin ? "" : next_counts(w, h, m, vertices);
-  std::ostringstream message;
-  message << "graph.nodes is " << m << ", which makes no regular grid over a shape of " << w
-          << " by " << h << " (at best " << cells.a << " × " << cells.b << "); take "
-          << (counts.empty() ? "graph.method: sampling" : counts);
-  throw InputError(message.str());
+  throw OptionError(
+      "nodes", std::to_string(m),
+      fmt::format(", which makes no regular grid over a shape of {:.6g} by {:.6g} (at best {} × "
+                  "{}); take {}",
+                  w, h, cells.a, cells.b, counts.empty() ? "method: sampling" : counts));
 }
 
 [[noreturn]] void reject_finer(int m, Eigen::Index vertices, const std::string& why) {
-  throw InputError("graph.nodes is " + std::to_string(m) + ", a grid finer than the shape's " +
-                   std::to_string(vertices) + " vertices" + why + "; use fewer nodes");
+  throw OptionError(
+      "nodes", std::to_string(m),
+      fmt::format(", a grid finer than the shape's {} vertices{}; use fewer nodes", vertices, why));
 }
 
 // The rows of V: the longest side of the bounding box first, then the next.
@@ -102,7 +105,7 @@ std::vector<int> grid_nodes(const Shape& shape, int m) {
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice == sorted.end()) return nodes;
   reject_finer(m, shape.V.cols(),
-               ": vertex " + std::to_string(*twice) + " is nearest to two of its cells");
+               fmt::format(": vertex {} is nearest to two of its cells", *twice));
 }
 
 }  // namespace deformlab

@@ -4,8 +4,9 @@
 
 namespace deformlab {
 
-/// A graph of samples along a path, in order (3×m, m ≥ 1) [length], each joined to the one before
-/// and the one after it (Sumner et al. 2007, section 5, "Particle simulations").
+/// A graph whose nodes are the samples of a path in their order (3×m, m ≥ 1) [length]. Each node is
+/// joined to the node before it and the node after it (Sumner et al. 2007, section 5, "Particle
+/// simulations").
 DeformationGraph path_graph(const Eigen::Matrix3Xd& samples);
 
 }  // namespace deformlab

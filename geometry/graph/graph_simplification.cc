@@ -3,15 +3,15 @@
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 
-#include "geometry/core/error.h"
+#include "geometry/core/options.h"
 #include "geometry/graph/graph_mesh.h"
 
 namespace deformlab {
@@ -90,24 +90,21 @@ struct Origins : sms::Edge_collapse_visitor_base<Mesh> {
 };
 
 void check(int m, double max_aspect_ratio, std::size_t vertices) {
-  if (!(max_aspect_ratio >= 1)) {
-    std::ostringstream message;
-    message << "graph.aspect_ratio is " << max_aspect_ratio << "; it is at least 1, which only "
-            << "equilateral triangles have";
-    throw InputError(message.str());
-  }
+  check_number("aspect_ratio", max_aspect_ratio, {.min = 1});
   if (m >= 1 && static_cast<std::size_t>(m) <= vertices) return;
-  throw InputError("graph.nodes is " + std::to_string(m) + "; the mesh can be simplified to 1 … " +
-                   std::to_string(vertices) + " of its vertices");
+  throw OptionError(
+      "nodes", std::to_string(m),
+      fmt::format("; the mesh can be simplified to 1 to {} of its vertices", vertices));
 }
 
 [[noreturn]] void reject_count(int m, std::size_t reached, double max_aspect_ratio) {
-  std::ostringstream message;
-  message << "graph.nodes is " << m << ", but simplification ends at " << reached
-          << ": beyond that, triangles would turn over, get an aspect ratio above "
-          << max_aspect_ratio << ", or parts of the mesh would vanish; use " << reached
-          << " nodes, a greater graph.aspect_ratio, or graph.method: sampling";
-  throw InputError(message.str());
+  throw OptionError(
+      "nodes", std::to_string(m),
+      fmt::format(
+          ", but simplification ends at {0}: beyond that, triangles would turn over, get an "
+          "aspect ratio above {1}, or parts of the mesh would vanish; use {0} nodes, a "
+          "greater aspect_ratio, or method: sampling",
+          reached, max_aspect_ratio));
 }
 
 Simplified result_of(const Mesh& mesh, const std::vector<int>& origin) {
@@ -136,7 +133,7 @@ double aspect_ratio(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ei
 }
 
 Simplified simplify(const Shape& shape, int m, double max_aspect_ratio) {
-  MeshPart part = manifold_mesh(shape, triangles(shape), "graph.method: simplification");
+  MeshPart part = manifold_mesh(shape, triangles(shape), "method: simplification");
   check(m, max_aspect_ratio, part.vertices.size());
   std::vector<int>& origin = part.vertices;
   sms::edge_collapse(part.mesh, StopAtVertices{static_cast<std::size_t>(m)},

@@ -1,10 +1,12 @@
 #include "geometry/graph/graph_vertices.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nanoflann.hpp>
 #include <string>
 
-#include "geometry/core/error.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
@@ -42,8 +44,9 @@ std::vector<int> nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::M
 std::vector<int> distinct_nearest_vertices(const Eigen::Matrix3Xd& points,
                                            const Eigen::Matrix3Xd& V) {
   if (points.cols() > V.cols()) {
-    throw InputError("graph.nodes is " + std::to_string(points.cols()) + ", but the shape has " +
-                     std::to_string(V.cols()) + " vertices for them to sit on; use fewer");
+    throw OptionError(
+        "nodes", std::to_string(points.cols()),
+        fmt::format(", but the shape has {} vertices for them to sit on; use fewer", V.cols()));
   }
   const Tree tree(3, V);
   std::vector<char> taken(static_cast<std::size_t>(V.cols()), 0);

@@ -5,11 +5,11 @@
 
 namespace deformlab {
 
-/// The vertex of V (3×#V, at least one) nearest to each point (3×p).
+/// The vertex of V (3×#V, #V ≥ 1) that is nearest to each of the points (3×p) [length].
 std::vector<int> nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& V);
 
-/// The same, but a vertex only once: one that an earlier point has got is left out of the search.
-/// Throws InputError for more points than vertices.
+/// The same, but each vertex is taken once: vertices of earlier points are left out of the search.
+/// Throws OptionError ("nodes") for more points than vertices.
 std::vector<int> distinct_nearest_vertices(const Eigen::Matrix3Xd& points,
                                            const Eigen::Matrix3Xd& V);
 

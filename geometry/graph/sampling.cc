@@ -1,5 +1,7 @@
 #include "geometry/graph/sampling.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,15 +14,14 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/core/error.h"
+#include "geometry/graph/deformation_graph.h"
 
 namespace deformlab {
 namespace {
 
 constexpr int kDensity = 30;  // dense points for each node that was asked for
 constexpr int kFewestDense = 10000;
-constexpr int kMostNodes = 100000;  // far beyond what solves in seconds
-constexpr int kMostPasses = 100;    // of the search for the radius
+constexpr int kMostPasses = 100;  // of the search for the radius
 
 Eigen::VectorXd areas(const Shape& shape, const Eigen::Matrix3Xi& T) {
   Eigen::VectorXd result(T.cols());
@@ -189,9 +190,9 @@ void thin_out(Eigen::Matrix3Xd& g, int m) {
 std::vector<int> all_distinct(Elimination& elimination, int m) {
   std::vector<int> distinct = elimination.remaining(0);
   if (static_cast<int>(distinct.size()) >= m) return distinct;
-  throw InputError("graph.nodes is " + std::to_string(m) + ", but the shape has only " +
-                   std::to_string(distinct.size()) + " distinct point" +
-                   (distinct.size() == 1 ? "" : "s") + " to place nodes at");
+  throw OptionError("nodes", std::to_string(m),
+                    fmt::format(", but the shape has only {} distinct point{} to place nodes at",
+                                distinct.size(), distinct.size() == 1 ? "" : "s"));
 }
 
 // Searches the radius at which m points remain. Their number falls about as r⁻² on a surface; that
@@ -218,11 +219,7 @@ Eigen::Matrix3Xd eliminate_to(const Dense& dense, int m, double guess, std::uint
 }  // namespace
 
 Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed) {
-  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; at least 1 is needed");
-  if (m > kMostNodes) {
-    throw InputError("graph.nodes is " + std::to_string(m) + "; at most " +
-                     std::to_string(kMostNodes) + " are possible");
-  }
+  check_number("nodes", m, kNodeRange);
   const Eigen::Matrix3Xi T = triangles(shape);
   const Eigen::VectorXd area = areas(shape, T);
   const double surface = area.sum();

@@ -7,11 +7,12 @@
 
 namespace deformlab {
 
-/// Node positions for a deformation graph (Sumner et al. 2007, section 3): points are spread
-/// densely over the surface (a point set's own points stand for it), and all within a radius of a
-/// randomly chosen one are removed, again and again; the radius is searched so that exactly m
-/// remain. Returns 3×m positions [length]; the same seed gives the same nodes. Throws InputError
-/// for m < 1 or where the shape has fewer than m distinct points to choose from.
+/// Samples the node positions of a deformation graph (Sumner et al. 2007, section 3). Points are
+/// spread densely over the surface; a shape without faces gives its own points. Then a point is
+/// chosen at random and all others within a radius of it are removed, until no point is left to
+/// choose. The radius is searched so that exactly m points remain. Returns 3×m positions [length];
+/// the same seed gives the same nodes. Throws OptionError ("nodes") for m out of range and where
+/// the shape has fewer than m distinct points.
 Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed);
 
 }  // namespace deformlab

@@ -11,13 +11,10 @@ namespace deformlab {
 namespace {
 
 void check(const Eigen::ArrayXXf& alpha, const TraceOptions& options, const std::string& name) {
+  check_options(options);
   std::ostringstream what;
   if (alpha.size() == 0) {
     what << "it has no pixels";
-  } else if (!(options.threshold > 0 && options.threshold <= 1)) {
-    what << "threshold is " << options.threshold << "; it must be above 0 and at most 1";
-  } else if (!(options.least_hole >= 0)) {
-    what << "least_hole is " << options.least_hole << "; it must be 0 or more";
   } else if (!alpha.allFinite()) {
     what << "its opacity is not finite everywhere";
   } else if (const float most = alpha.maxCoeff(); !(most >= options.threshold)) {

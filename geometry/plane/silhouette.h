@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "geometry/core/options.h"
 #include "geometry/plane/region.h"
 
 namespace deformlab {
@@ -15,9 +16,11 @@ struct TraceOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("threshold", o.threshold, "opacity from which on a place belongs to the shape");
-    visit("fill_holes", o.fill_holes, "true: the shape is taken for solid");
-    visit("least_hole", o.least_hole, "holes of a smaller area are filled [pixel²]");
+    visit.range("threshold", o.threshold, {.min = 0, .max = 1, .exclusive_min = true},
+                "The opacity from which on a point belongs to the shape");
+    visit("fill_holes", o.fill_holes, "Whether all holes of the shape are filled");
+    visit.range("least_hole", o.least_hole, {.min = 0},
+                "Holes of a smaller area than this are filled [pixel²]");
   }
 };
 

@@ -12,29 +12,12 @@
 namespace deformlab {
 namespace {
 
-constexpr int kFewest = 3, kMost = 200000;
-constexpr double kMostUneven = 10;
 constexpr double kLeastDetail = 1e-9;
 constexpr int kPasses = 40;           // of relaxation; triangles hardly get better after
 constexpr int kMostTries = 8;         // at a number of vertices
 constexpr double kFew = 0.8;          // share of them that edges of one length have to make
 constexpr double kMostStretch = 1.5;  // of edges: longer ones would not follow the boundary
 constexpr double kBlend = 0.1;  // share of the width on either side of the middle where edges grow
-
-[[noreturn]] void reject(const char* option, double value, double least, double most) {
-  std::ostringstream what;
-  what << option << " of the mesh is " << value << "; it must be " << least << " to " << most;
-  throw InputError(what.str());
-}
-
-void check(const TriangulationOptions& options) {
-  if (options.vertices < kFewest || options.vertices > kMost) {
-    reject("vertices", options.vertices, kFewest, kMost);
-  }
-  if (!(options.uneven >= 1 / kMostUneven && options.uneven <= kMostUneven)) {
-    reject("uneven", options.uneven, 1 / kMostUneven, kMostUneven);
-  }
-}
 
 // How the length of edges varies over a region.
 class Lengths {
@@ -146,7 +129,7 @@ class Mesher {
 
 Triangulation triangulate(const Region& region, const TriangulationOptions& options,
                           const std::string& name) {
-  check(options);
+  check_options(options);
   const Region clean = checked(region, name);
   return Mesher(clean, options, name).run();
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "geometry/core/options.h"
 #include "geometry/plane/region.h"
 #include "geometry/shape/shape.h"
 
@@ -32,8 +33,10 @@ struct TriangulationOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("vertices", o.vertices, "of the mesh, met about");
-    visit("uneven", o.uneven, "how many times as long edges are on the right as on the left");
+    visit.range("vertices", o.vertices, {.min = 3, .max = 200'000},
+                "The number of vertices of the mesh, which is met approximately");
+    visit.range("uneven", o.uneven, {.min = 0.1, .max = 10},
+                "How many times as long edges are on the right as on the left");
   }
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "geometry/core/error.h"
 #include "geometry/transfer/nearest_nodes.h"
@@ -23,10 +22,7 @@ void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k) {
 
 Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   if (g.cols() == 0) throw InputError("a deformation graph without nodes can deform nothing");
-  if (k < 1 || k > kMaxNeighbors) {
-    throw InputError("graph.neighbors is " + std::to_string(k) + "; allowed are 1 to " +
-                     std::to_string(kMaxNeighbors) + " (the paper uses 4)");
-  }
+  check_number("neighbors", k, kNeighborRange);
   const int m = static_cast<int>(g.cols());
   const int n = static_cast<int>(v.cols());
   const int nearest = std::min(k + 1, m);

@@ -3,32 +3,35 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "geometry/core/options.h"
+
 namespace deformlab {
 
-/// The largest k of Eq. 4 that a graph may be asked for.
+/// The largest k of Eq. 4 that a graph may have.
 inline constexpr int kMaxNeighbors = 16;
+inline constexpr Range kNeighborRange{.min = 1, .max = kMaxNeighbors};
 
-/// Points embedded in a deformation graph: whom each follows, and how much. A whole shape is
-/// embedded to be deformed (Eq. 2), its handles are to be constrained (Eq. 8).
+/// Points embedded in a deformation graph: the nodes that each point follows, and their weights. A
+/// whole shape is embedded to be deformed (Eq. 2), and its handles to be constrained (Eq. 8).
 struct Embedding {
   Eigen::Matrix3Xd v;       ///< 3×n rest positions [length]
-  Eigen::MatrixXi nodes;    ///< k×n indices of the nearest nodes, nearest first
-  Eigen::MatrixXd weights;  ///< k×n weights w_j(v_i), each column ≥ 0 and of sum one
+  Eigen::MatrixXi nodes;    ///< k×n indices of the nearest nodes, the nearest first
+  Eigen::MatrixXd weights;  ///< k×n weights w_j(v_i) ≥ 0; the sum of each column is one
 };
 
-/// Eq. 4 for one point, in place: its distances to the k+1 nearest nodes, nearest first [length],
-/// become the k weights and an entry without meaning.
+/// Computes Eq. 4 for one point in place: the distances to its k+1 nearest nodes, the nearest first
+/// [length], are replaced by k weights and an entry without meaning.
 void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k);
 
-/// Sumner et al. 2007, Eq. 4: w_j(v) = (1 − ‖v − g_j‖/d_max)², normalised, d_max the distance to
-/// node k+1.
+/// Sumner et al. 2007, Eq. 4: w_j(v) = (1 − ‖v − g_j‖/d_max)², normalised to a sum of one, where
+/// d_max is the distance to the node that is nearest after the k nodes that v follows.
 ///   v  3×n points, g  3×m node positions [length], k ≥ 1 nodes for each point.
-/// Where the formula says nothing: with m ≤ k nodes, k becomes m − 1 (one node alone: weight 1);
-/// with nodes 1 … k+1 equally far it is 0/0, and the k nearest share equally.
-/// Throws InputError for m = 0 or k outside 1 … kMaxNeighbors.
+/// Two cases are not covered by the formula. With m ≤ k nodes, k becomes m − 1, and a single node
+/// gets weight 1. Where the k+1 nearest nodes are equally far, the weights are equal.
+/// Throws InputError for m = 0 and for a k outside of kNeighborRange.
 Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k);
 
-/// The points of one embedding, then those of another in the same graph with the same k.
+/// The points of one embedding followed by those of another in the same graph with the same k.
 Embedding joined(const Embedding& first, const Embedding& second);
 
 /// The embedding of some of its points, in the order of `indices` (0 ≤ index < n).

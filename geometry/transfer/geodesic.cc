@@ -10,20 +10,20 @@
 #include <memory>
 #include <string>
 
-#include "geometry/core/error.h"
-#include "geometry/graph/deformation_graph.h"
+#include "geometry/core/disjoint_sets.h"
+#include "geometry/core/options.h"
 #include "geometry/graph/graph_mesh.h"
 
 namespace deformlab {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr const char* kWish = "graph.distance: geodesic";
+constexpr const char* kWish = "distance: geodesic";
 
 [[noreturn]] void reject_thin_triangles() {
-  throw InputError(std::string(kWish) +
-                   " cannot be told on this mesh: it has triangles of no area; repair them, or "
-                   "take graph.distance: edge_paths");
+  throw OptionError("distance", "geodesic",
+                    ", which cannot be measured on this mesh: it has triangles of no area; repair "
+                    "them, or take distance: edge_paths");
 }
 
 // The triangles of each part, those of the others being of no interest.
@@ -94,13 +94,13 @@ double distance_of(const NearestSources& nearest, Eigen::Index vertex, int sourc
 }  // namespace
 
 std::vector<int> connected_parts(const Shape& shape) {
-  DeformationGraph surface{shape.V, {}};
+  DisjointSets sets(shape.V.cols());
   const Eigen::Matrix3Xi T = triangles(shape);
   for (const auto t : T.colwise()) {
-    surface.edges.push_back({t[0], t[1], 1});
-    surface.edges.push_back({t[1], t[2], 1});
+    sets.join(t[0], t[1]);
+    sets.join(t[1], t[2]);
   }
-  return components(surface);
+  return sets.numbered();
 }
 
 NearestSources::NearestSources(int count, Eigen::Index vertices)

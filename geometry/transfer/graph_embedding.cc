@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/core/error.h"
 #include "geometry/graph/graph_vertices.h"
 #include "geometry/transfer/geodesic.h"
 
@@ -87,20 +86,13 @@ std::vector<int> members(const std::vector<int>& of_vertex, std::size_t group) {
   return result;
 }
 
-void check_distance(const std::string& distance) {
-  if (distance == "euclidean" || distance == "geodesic" || distance == "edge_paths") return;
-  throw InputError("unknown graph.distance '" + distance +
-                   "'; known: euclidean, geodesic, edge_paths");
-}
-
 }  // namespace
 
 VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
                                std::span<const int> node_vertices, const CutGroups& groups,
                                const GraphOptions& options) {
-  check_distance(options.distance);
   VertexEmbedding result{embed(shape.V, g, options.neighbors), {}};
-  const bool in_space = options.distance == "euclidean";
+  const bool in_space = options.distance == NodeDistance::kEuclidean;
   if (in_space && groups.nodes.size() == 1) return result;
   result.followed.assign(static_cast<std::size_t>(shape.V.cols()), 0);
   for (std::size_t group = 0; group < groups.nodes.size(); ++group) {
@@ -113,7 +105,7 @@ VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
     std::vector<int> sources;
     for (const int j : nodes) sources.push_back(node_vertices[j]);
     const auto nearest =
-        options.distance == "geodesic" ? nearest_along_surface : nearest_along_edges;
+        options.distance == NodeDistance::kGeodesic ? nearest_along_surface : nearest_along_edges;
     of_group.along_surface(nearest(shape, sources, options.neighbors + 1));
   }
   return result;

@@ -6,15 +6,17 @@
 
 namespace deformlab {
 
-/// The nodes nearest to points most of which lie near the one before: they are sought among the
-/// neighbors of the last one's node, and in a tree of all nodes where that does not do.
+/// Finds the nodes that are nearest to points, fast where most points lie near the point before.
+/// The search looks among the neighbors of the last point's nearest node, and in a tree of all
+/// nodes where these do not suffice.
 class NearestNodes {
  public:
-  /// g  3×m node positions [length], which must outlive this; count ≤ m nodes are sought.
+  /// Prepares a search for count ≤ m nodes. The positions g (3×m) [length] must outlive this
+  /// object.
   NearestNodes(const Eigen::Matrix3Xd& g, int count);
   ~NearestNodes();
 
-  /// The nodes nearest to v and how far they are [length], nearest first.
+  /// Writes the nodes that are nearest to v and their distances [length], the nearest first.
   void find(const Eigen::Vector3d& v, int* nodes, double* distances);
 
  private:
@@ -31,11 +33,11 @@ class NearestNodes {
   const Eigen::Matrix3Xd& g_;
   int count_;
   std::unique_ptr<Tree> tree_;
-  std::vector<std::vector<Neighbor>> neighbors_;  // of a node, nearest first; empty until asked for
-  std::vector<double> squares_;                   // of the distances of those that are sought,
-  std::vector<int> nodes_;                        // and of the next one
-  std::vector<Eigen::Index> found_;               // what the tree is asked for
-  int last_ = -1;                                 // the node nearest to the last point
+  std::vector<std::vector<Neighbor>> neighbors_;  // of each node, nearest first; filled on demand
+  std::vector<double> squares_;      // squared distances of the count + 1 nearest nodes
+  std::vector<int> nodes_;           // these nodes
+  std::vector<Eigen::Index> found_;  // the result of a query to the tree
+  int last_ = -1;                    // the node that was nearest to the last point
 };
 
 }  // namespace deformlab

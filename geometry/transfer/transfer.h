@@ -7,7 +7,7 @@
 
 namespace deformlab {
 
-/// One affine transformation a node, side by side: columns 4j … 4j+3 are R_j and t_j (Eq. 1).
+/// The affine transformations of m nodes, 3×4m: columns 4j … 4j+3 are R_j and t_j (Eq. 1).
 using Transformations = Eigen::Matrix3Xd;
 
 /// The transformations of m nodes at rest: R_j = I, t_j = 0.
@@ -18,13 +18,13 @@ Transformations rest_transformations(Eigen::Index m);
 Eigen::Matrix3Xd transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g,
                                     const Embedding& embedding);
 
-/// The same into an array that is there already (made 3×n where it is not), on so many threads; the
-/// result does not depend on their number.
+/// Writes the same into `result`, which keeps its memory if it is 3×n already. The result does not
+/// depend on the number of threads.
 void transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g,
                         const Embedding& embedding, Eigen::Matrix3Xd& result, int threads = 1);
 
-/// Eq. 3: ñ_i = Σ_j w_j(v_i) R_j^{-T} n_i, renormalised. With det(R) R^{-T} = cof(R), a node whose
-/// R cannot be inverted still says something: its cofactor matrix.
+/// Eq. 3: ñ_i = Σ_j w_j(v_i) R_j^{-T} n_i, renormalised. Where R_j has no inverse, its cofactor
+/// matrix det(R_j) R_j^{-T} is used, which always exists.
 ///   N  3×n unit normals. Returns 3×n unit normals; a normal that vanishes stays as it was.
 Eigen::Matrix3Xd transfer_normals(const Transformations& X, const Eigen::Matrix3Xd& N,
                                   const Embedding& embedding);

@@ -152,7 +152,8 @@ class Recorder final : public ceres::IterationCallback {
   Summary& summary_;
 };
 
-std::string upper(std::string name) {
+std::string upper(std::string_view text) {
+  std::string name(text);
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return name;
@@ -162,23 +163,13 @@ ceres::Solver::Options ceres_options(const SolverOptions& options) {
   ceres::Solver::Options o;
   const std::string linear =
       options.linear_solver == "auto" ? "sparse_normal_cholesky" : options.linear_solver;
-  if (!ceres::StringToLinearSolverType(upper(linear), &o.linear_solver_type)) {
-    throw InputError("solver.linear_solver '" + linear +
-                     "' is not one of ceres'; known: auto, dense_qr, dense_normal_cholesky, "
-                     "sparse_normal_cholesky, dense_schur, sparse_schur, iterative_schur, cgnr");
-  }
-  if (!ceres::StringToTrustRegionStrategyType(upper(options.ceres_trust_region),
-                                              &o.trust_region_strategy_type) ||
-      !ceres::StringToSparseLinearAlgebraLibraryType(upper(options.ceres_sparse_library),
-                                                     &o.sparse_linear_algebra_library_type)) {
-    throw InputError(
-        "solver.ceres_trust_region is levenberg_marquardt or dogleg, and "
-        "solver.ceres_sparse_library suite_sparse, eigen_sparse or cx_sparse");
-  }
-  if (options.ceres_blocks != "column" && options.ceres_blocks != "node") {
-    throw InputError("unknown solver.ceres_blocks '" + options.ceres_blocks +
-                     "'; known: column, node");
-  }
+  const bool known =
+      ceres::StringToLinearSolverType(upper(linear), &o.linear_solver_type) &&
+      ceres::StringToTrustRegionStrategyType(upper(name_of(options.ceres_trust_region)),
+                                             &o.trust_region_strategy_type) &&
+      ceres::StringToSparseLinearAlgebraLibraryType(upper(name_of(options.ceres_sparse_library)),
+                                                    &o.sparse_linear_algebra_library_type);
+  if (!known) throw InputError("this version of ceres does not know linear_solver " + linear);
   o.max_num_iterations = options.max_iterations;
   o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;  // Eq. 12 decides
   o.update_state_every_iteration = true;
@@ -231,7 +222,7 @@ void CeresSolver::compile(const Problem& problem) {
   problem_ = std::make_unique<ceres::Problem>(ownership);
   losses_.clear();
   x_ = problem.x;
-  const bool by_column = options_.ceres_blocks == "column";
+  const bool by_column = options_.ceres_blocks == CeresBlocks::kColumn;
   for (int j = 0; j < x_.nodes(); ++j) {
     const int stride = by_column ? 1 : x_.columns(j);
     for (int c = x_.first[j]; c < x_.first[j + 1]; c += stride) {
@@ -264,7 +255,7 @@ Summary CeresSolver::solve(Problem& problem) {
   x_.X = problem.x.X;
   Summary summary;
   summary.method = "ceres";
-  summary.globalization = options_.ceres_trust_region;
+  summary.globalization = name_of(options_.ceres_trust_region);
   summary.blas = blas_name();
   ceres::Solver::Options options = ceres_options(options_);
   Recorder recorder(x_, options_.epsilon, summary);

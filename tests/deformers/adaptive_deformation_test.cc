@@ -28,16 +28,21 @@ struct Scene {
   }
 };
 
-EmbeddedDeformationOptions options(int start = 30, int nodes = 80, int rounds = 3) {
-  EmbeddedDeformationOptions o;
+// The options of a graph at the end, and how it grows to that.
+struct Options : EmbeddedDeformationOptions {
+  AdaptiveOptions adaptive;
+};
+
+Options options(int start = 30, int nodes = 80, int rounds = 3) {
+  Options o;
   o.graph.nodes = nodes;
-  o.graph.alpha = "length";
-  o.graph.adaptive = {start, rounds};
+  o.graph.alpha = EdgeWeights::kLength;
+  o.adaptive = {start, rounds};
   return o;
 }
 
-AdaptiveDeformation deformed(const Scene& scene, const EmbeddedDeformationOptions& o) {
-  AdaptiveDeformation deformer(scene.shape, o);
+AdaptiveDeformation deformed(const Scene& scene, const Options& o) {
+  AdaptiveDeformation deformer(scene.shape, o, o.adaptive);
   deformer.compile(scene.handles);
   deformer.update(scene.targets);
   return deformer;
@@ -76,7 +81,7 @@ TEST(AdaptiveDeformation, ComesNearerToAFineGraphThanAUniformOneOfTwiceAsManyNod
 
 TEST(AdaptiveDeformation, AFinerGraphBeginsWhereTheCoarseOneEnded) {
   const Scene scene;
-  for (const char* model : {"affine", "rigid"}) {
+  for (const RotationModel model : {RotationModel::kAffine, RotationModel::kRigid}) {
     EmbeddedDeformationOptions o = options(0, 30);
     o.rotation_model = model;
     EmbeddedDeformation before(scene.shape, o);
@@ -148,7 +153,7 @@ TEST(AdaptiveDeformation, ACostlyNodeCountsInFullForAllThatFollowIt) {
 
 TEST(AdaptiveDeformation, AddsNothingAtRestAndNothingMoreOnceItIsThere) {
   const Scene scene;
-  AdaptiveDeformation deformer(scene.shape, options());
+  AdaptiveDeformation deformer(scene.shape, options(), options().adaptive);
   deformer.compile(scene.handles);
   const Report rest = deformer.update(scene.shape.V(Eigen::all, scene.handles.moved));
   EXPECT_EQ(rest.nodes, 30);
@@ -164,8 +169,8 @@ TEST(AdaptiveDeformation, AddsNothingAtRestAndNothingMoreOnceItIsThere) {
 
 TEST(AdaptiveDeformation, GivesTheSameTwiceAndOnTwoThreads) {
   const Scene scene;
-  EmbeddedDeformationOptions threaded = options();
-  threaded.solver.threads = 2;
+  Options threaded = options();
+  threaded.solver.threads = threaded.transfer_threads = 2;
   const AdaptiveDeformation one = deformed(scene, options()), other = deformed(scene, threaded);
   EXPECT_EQ(one.deformed().V, deformed(scene, options()).deformed().V);
   EXPECT_EQ(one.deformed().V, other.deformed().V);
@@ -173,7 +178,7 @@ TEST(AdaptiveDeformation, GivesTheSameTwiceAndOnTwoThreads) {
 
 TEST(AdaptiveDeformation, ReportsTheStepsOfAllSolves) {
   const Scene scene;
-  AdaptiveDeformation deformer(scene.shape, options());
+  AdaptiveDeformation deformer(scene.shape, options(), options().adaptive);
   deformer.compile(scene.handles);
   const Report report = deformer.update(scene.targets);
   EXPECT_EQ(report.solve.unknowns, 12 * 80);
@@ -186,13 +191,13 @@ TEST(AdaptiveDeformation, ReportsTheStepsOfAllSolves) {
 
 TEST(AdaptiveDeformation, TakesWhatEmbeddedDeformationTakes) {
   Scene scene;
-  EmbeddedDeformationOptions rigid = options(), along = options(), few = options(1, 2, 1);
-  rigid.rotation_model = "rigid";
-  along.graph.distance = "geodesic";
-  for (const EmbeddedDeformationOptions& o : {rigid, along, few}) {
+  Options rigid = options(), along = options(), few = options(1, 2, 1);
+  rigid.rotation_model = RotationModel::kRigid;
+  along.graph.distance = NodeDistance::kGeodesic;
+  for (const Options& o : {rigid, along, few}) {
     EXPECT_EQ(deformed(scene, o).embedded().graph().g.cols(), o.graph.nodes);
   }
-  EmbeddedDeformationOptions flat = options();
+  Options flat = options();
   flat.dimension = 2;
   scene.targets.row(1) += scene.targets.row(2);
   scene.targets.row(2).setZero();
@@ -213,9 +218,9 @@ TEST(AdaptiveDeformation, HasANodeAVertexAtMost) {
   EXPECT_TRUE(deformer.deformed().V.allFinite());
 }
 
-void expect_refused(const EmbeddedDeformationOptions& o, const std::string& said) {
+void expect_refused(const Options& o, const std::string& said) {
   try {
-    AdaptiveDeformation(Scene().shape, o);
+    AdaptiveDeformation(Scene().shape, o, o.adaptive);
     ADD_FAILURE() << "accepted, where this was expected: " << said;
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), ::testing::HasSubstr(said));
@@ -223,15 +228,17 @@ void expect_refused(const EmbeddedDeformationOptions& o, const std::string& said
 }
 
 TEST(AdaptiveDeformation, RefusesWhatCannotBe) {
-  expect_refused(options(-1), "graph.adaptive.start is -1");
-  expect_refused(options(80), "graph.adaptive.start is 80; it is at least 1 and less than");
-  expect_refused(options(30, 80, 0), "graph.adaptive.rounds is 0; it is 1 to 50");
-  expect_refused(options(30, 80, 51), "graph.adaptive.rounds is 51; it is 1 to 50");
-  EmbeddedDeformationOptions by_hand = options();
-  by_hand.graph.method = "file";
+  expect_refused(options(-1), "adaptive.start is -1; allowed: at least 0");
+  expect_refused(
+      options(80),
+      "adaptive.start is 80; allowed: at least 1 and less than graph.nodes, which is 80");
+  expect_refused(options(30, 80, 0), "adaptive.rounds is 0; allowed: at least 1");
+  expect_refused(options(30, 80, 51), "adaptive.rounds is 51; allowed: 1 to 50");
+  Options by_hand = options();
+  by_hand.graph.method = NodePlacement::kFile;
   by_hand.graph.file = "graph.obj";
   expect_refused(by_hand, "graph.method is file");
-  EXPECT_THROW(EmbeddedDeformation(Scene().shape, options()), InputError);
+  expect_refused(options(0), "adaptive.start is 0");
 }
 
 TEST(AdaptiveDeformation, BeginsOnlyWithAsManyTransformations) {

@@ -36,7 +36,7 @@ Eigen::Isometry3d some_motion() {
   return motion;
 }
 
-EmbeddedDeformationOptions options(const std::string& method = "sampling") {
+EmbeddedDeformationOptions options(NodePlacement method = NodePlacement::kSampling) {
   EmbeddedDeformationOptions o;
   o.graph.method = method;
   o.graph.nodes = 40;
@@ -53,7 +53,7 @@ Eigen::Matrix3Xd offsets() {
   return o;
 }
 
-class EveryGraph : public ::testing::TestWithParam<const char*> {};
+class EveryGraph : public ::testing::TestWithParam<NodePlacement> {};
 
 TEST_P(EveryGraph, NodesSitOnVerticesAndGoWithThem) {
   const Shape rest = tube(20);
@@ -70,7 +70,9 @@ TEST_P(EveryGraph, NodesSitOnVerticesAndGoWithThem) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, EveryGraph, ::testing::Values("sampling", "simplification"));
+INSTANTIATE_TEST_SUITE_P(Of, EveryGraph,
+                         ::testing::Values(NodePlacement::kSampling,
+                                           NodePlacement::kSimplification));
 
 // How far the output of a moved input, with offsets moved alike, is from the moved output.
 double off_after(const Eigen::Isometry3d& motion) {

@@ -79,7 +79,7 @@ TEST_F(BadInput, LeavesTheHandlesThatWereThere) {
 }
 
 TEST_F(BadInput, TargetsBeyondAllBoundsFailWithoutTouchingTheState) {
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     EmbeddedDeformationOptions options = with_nodes(15);
     options.solver.method = method;
     EmbeddedDeformation deformer(shape_, options);
@@ -107,8 +107,13 @@ TEST_F(BadInput, OptionsOutOfRange) {
   }
   EXPECT_THAT(error_with([](auto& o) { o.graph.nodes = 0; }), HasSubstr("graph.nodes"));
   EXPECT_THAT(error_with([](auto& o) { o.graph.neighbors = 0; }), HasSubstr("graph.neighbors"));
-  EXPECT_THAT(error_with([](auto& o) { o.graph.alpha = "x"; }), HasSubstr("graph.alpha"));
-  EXPECT_THAT(error_with([](auto& o) { o.solver.method = "x"; }), HasSubstr("solver.method"));
+  EXPECT_THAT(error_with([](auto& o) { o.solver.epsilon = 0; }), HasSubstr("solver.epsilon is 0"));
+  EXPECT_THAT(error_with([](auto& o) { o.solver.linear_solver = "cgnr"; }),
+              HasSubstr("solver.linear_solver is 'cgnr'"));
+  EXPECT_THAT(error_with([](auto& o) { o.losses["rotation"].scale = 0; }),
+              HasSubstr("losses.rotation.scale is 0"));
+  EXPECT_THAT(error_with([](auto& o) { o.transfer_threads = 0; }),
+              HasSubstr("transfer_threads is 0; allowed: 1 to 1024"));
 }
 
 /// Lifts every tenth vertex; what comes out is finite and its vertices are in place and number.
@@ -131,7 +136,7 @@ Report lift(const Shape& shape, const EmbeddedDeformationOptions& options) {
 TEST(AnyShape, FewerNodesThanNeighborsIsARuleThatIsNoted) {
   for (const int m : {1, 2, 3, 4}) {
     const Report report = lift(bumpy_plane(10), with_nodes(m));
-    EXPECT_THAT(report.notes, Contains(HasSubstr("fewer than graph.neighbors + 1"))) << m;
+    EXPECT_THAT(report.notes, Contains(HasSubstr("fewer than neighbors + 1"))) << m;
   }
   EXPECT_THAT(lift(bumpy_plane(10), with_nodes(5)).notes,
               ::testing::Not(Contains(HasSubstr("fewer than"))));

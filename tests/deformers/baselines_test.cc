@@ -28,8 +28,8 @@ struct Method {
 
 void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
 
-Method arap(const std::string& variant) {
-  return {"Arap_" + variant, true, [variant](const Shape& shape) {
+Method arap(CgalArapVariant variant) {
+  return {"Arap_" + std::string(name_of(variant)), true, [variant](const Shape& shape) {
             CgalArapOptions options;
             options.variant = variant;
             options.iterations = 2000;
@@ -43,9 +43,9 @@ std::vector<Method> methods() {
   const auto rbf = [](const Shape& shape) { return std::make_unique<RbfDeformation>(shape); };
   return {{"Primo", true, primo},
           {"Rbf", false, rbf},
-          arap("spokes_and_rims"),
-          arap("original"),
-          arap("smooth_rotations")};
+          arap(CgalArapVariant::kSpokesAndRims),
+          arap(CgalArapVariant::kOriginal),
+          arap(CgalArapVariant::kSmoothRotations)};
 }
 
 class Baseline : public ::testing::TestWithParam<Method> {

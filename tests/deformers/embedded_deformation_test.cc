@@ -76,7 +76,7 @@ TEST(EmbeddedDeformation, RestStaysRest) {
 
 TEST(EmbeddedDeformation, ReproducesARigidMotionOfTheHandles) {
   const Shape shape = tube(20);
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     EmbeddedDeformationOptions options = with_nodes(30);
     options.solver = {.method = method, .epsilon = 1e-15};
     EmbeddedDeformation deformer(shape, options);
@@ -221,7 +221,7 @@ TEST(EmbeddedDeformation, WithoutAnyHandleNothingMoves) {
 TEST(EmbeddedDeformation, ASingleHandleTranslatesTheShape) {
   const Shape shape = bumpy_plane(15);
   const Eigen::Vector3d target = shape.V.col(112) + Eigen::Vector3d(0.3, -0.2, 1);
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     EmbeddedDeformationOptions options = with_nodes(20);
     options.solver = {.method = method, .epsilon = 1e-12};
     EmbeddedDeformation deformer(shape, options);
@@ -297,7 +297,7 @@ TEST(EmbeddedDeformation, SeesAReflection) {
 
 TEST(EmbeddedDeformation, GivesTheSameBitsTwice) {
   const Bend bend(bumpy_plane(25), 0.4);
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     EmbeddedDeformationOptions options = with_nodes(40);
     options.solver.method = method;
     Eigen::Matrix3Xd V[2];
@@ -316,7 +316,8 @@ TEST(EmbeddedDeformation, BothSolversAgree) {
   Eigen::Matrix3Xd V[2];
   for (const bool ceres : {false, true}) {
     EmbeddedDeformationOptions options = with_nodes(40);
-    options.solver = {.method = ceres ? "ceres" : "gauss_newton", .epsilon = 1e-12};
+    options.solver = {.method = ceres ? SolverMethod::kCeres : SolverMethod::kGaussNewton,
+                      .epsilon = 1e-12};
     options.solver.globalization = "levenberg";
     EmbeddedDeformation deformer(bend.shape, options);
     deformer.compile(bend.handles);
@@ -329,7 +330,7 @@ TEST(EmbeddedDeformation, BothSolversAgree) {
 // Two clusters of five nodes, over the left and the right of a plane, that no edge joins.
 EmbeddedDeformationOptions in_two_parts() {
   EmbeddedDeformationOptions options;
-  options.graph.method = "file";
+  options.graph.method = NodePlacement::kFile;
   options.graph.file = std::filesystem::path(::testing::TempDir()) / "two_parts.obj";
   std::ofstream file(options.graph.file);
   for (const double x : {0.0, 0.55}) {

@@ -50,7 +50,7 @@ TEST(InThePlane, BothSolversEndInOneMinimum) {
   targets.col(2) += Eigen::Vector3d(0.1, 0.2, 0);
   EmbeddedDeformationOptions options = in_the_plane("auto");
   std::vector<double> costs;
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     options.solver.method = method;
     EmbeddedDeformation deformer(shape, options);
     deformer.compile(handles);

@@ -78,9 +78,9 @@ TEST(ReferenceScene, ConjugateGradientsFindTheMinimumOfAFactorization) {
 // transferred in pieces.
 TEST(ReferenceScene, TheBytesDoNotDependOnTheThreads) {
   const Scene scene = lifted_plane(1);
-  for (const auto& [method, linear_solver] :
-       {std::pair("gauss_newton", "kronecker_cg"), std::pair("gauss_newton", "cholmod"),
-        std::pair("ceres", "auto")}) {
+  for (const auto& [method, linear_solver] : {std::pair(SolverMethod::kGaussNewton, "kronecker_cg"),
+                                              std::pair(SolverMethod::kGaussNewton, "cholmod"),
+                                              std::pair(SolverMethod::kCeres, "auto")}) {
     EmbeddedDeformationOptions options;
     options.graph.nodes = 1500;
     options.solver.method = method;
@@ -95,7 +95,7 @@ TEST(ReferenceScene, TheBytesDoNotDependOnTheThreads) {
     const Eigen::Matrix3Xd one = deform(1), two = deform(2);
     const double apart = (one - two).cwiseAbs().maxCoeff();
     // Ceres sums the gradient thread by thread, and so rounds it otherwise.
-    EXPECT_LE(apart, options.solver.method == "ceres" ? 1e-12 : 0) << linear_solver;
+    EXPECT_LE(apart, options.solver.method == SolverMethod::kCeres ? 1e-12 : 0) << linear_solver;
   }
 }
 

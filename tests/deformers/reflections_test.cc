@@ -42,8 +42,8 @@ Strip strip(double bumps = 0.02) {
   return result;
 }
 
-Report deform(const Strip& strip, const std::string& reflections, int nodes = 150,
-              const std::string& method = "gauss_newton", int dimension = 3) {
+Report deform(const Strip& strip, Reflections reflections, int nodes = 150,
+              SolverMethod method = SolverMethod::kGaussNewton, int dimension = 3) {
   EmbeddedDeformationOptions options;
   options.dimension = dimension;
   options.graph.nodes = nodes;
@@ -56,7 +56,7 @@ Report deform(const Strip& strip, const std::string& reflections, int nodes = 15
 }
 
 /// Its right end is turned about its long axis in one shot.
-Report twist(double degrees, const std::string& reflections, double bumps = 0.02) {
+Report twist(double degrees, Reflections reflections, double bumps = 0.02) {
   Strip twisted = strip(bumps);
   const Eigen::Vector3d centre = twisted.targets.rowwise().mean();
   const Eigen::Matrix3d R =
@@ -76,14 +76,15 @@ Strip crushed(double bumps = 0.02) {
 class Twists : public ::testing::TestWithParam<double> {};
 
 TEST_P(Twists, AreReportedWhereTheyTurnNodesInsideOut) {
-  const Report report = twist(GetParam(), "report");
+  const Report report = twist(GetParam(), Reflections::kReport);
   EXPECT_GT(report.inside_out, 0);
   EXPECT_LT(report.min_det_R, -0.9);
   EXPECT_THAT(report.notes, Contains(HasSubstr("reflections: repair")));
 }
 
 TEST_P(Twists, AreCured) {
-  const Report broken = twist(GetParam(), "report"), report = twist(GetParam(), "repair");
+  const Report broken = twist(GetParam(), Reflections::kReport),
+               report = twist(GetParam(), Reflections::kRepair);
   EXPECT_EQ(report.solve.status, Status::kConverged);
   EXPECT_EQ(report.inside_out, 0);
   EXPECT_GT(report.min_det_R, 0.5);
@@ -97,8 +98,8 @@ class Folds : public ::testing::TestWithParam<int> {};
 
 // A fold is what F is least at: it stays away only while the term that keeps it away is there.
 TEST_P(Folds, AreCured) {
-  const Report broken = deform(crushed(), "report", GetParam());
-  const Report report = deform(crushed(), "repair", GetParam());
+  const Report broken = deform(crushed(), Reflections::kReport, GetParam());
+  const Report report = deform(crushed(), Reflections::kRepair, GetParam());
   EXPECT_GT(broken.inside_out, 0);
   EXPECT_EQ(report.solve.status, Status::kConverged);
   EXPECT_EQ(report.inside_out, 0);
@@ -111,8 +112,8 @@ TEST_P(Folds, AreCured) {
 INSTANTIATE_TEST_SUITE_P(Nodes, Folds, ::testing::Values(60, 100, 150));
 
 TEST(Reflections, OfAFoldAreCuredByCeresAlike) {
-  const Report ours = deform(crushed(), "repair", 60);
-  const Report report = deform(crushed(), "repair", 60, "ceres");
+  const Report ours = deform(crushed(), Reflections::kRepair, 60);
+  const Report report = deform(crushed(), Reflections::kRepair, 60, SolverMethod::kCeres);
   EXPECT_EQ(report.solve.method, "ceres");
   EXPECT_EQ(report.inside_out, 0);
   EXPECT_NEAR(report.solve.final_cost, ours.solve.final_cost, 1e-2 * ours.solve.final_cost);
@@ -120,8 +121,10 @@ TEST(Reflections, OfAFoldAreCuredByCeresAlike) {
 
 // In the plane no strip can bulge out of it.
 TEST(Reflections, OfAFoldInThePlaneAreCured) {
-  const Report broken = deform(crushed(0), "report", 150, "gauss_newton", 2);
-  const Report report = deform(crushed(0), "repair", 150, "gauss_newton", 2);
+  const Report broken =
+      deform(crushed(0), Reflections::kReport, 150, SolverMethod::kGaussNewton, 2);
+  const Report report =
+      deform(crushed(0), Reflections::kRepair, 150, SolverMethod::kGaussNewton, 2);
   EXPECT_GT(broken.inside_out, 0);
   EXPECT_EQ(report.solve.status, Status::kConverged);
   EXPECT_EQ(report.inside_out, 0);
@@ -130,7 +133,8 @@ TEST(Reflections, OfAFoldInThePlaneAreCured) {
 // Turned by exactly 180°, a flat strip has no reason to leave its plane, where it would only
 // shrink.
 TEST(Reflections, OfAFlatStripThatIsTurnedOverAreCured) {
-  const Report broken = twist(180, "report", 0), report = twist(180, "repair", 0);
+  const Report broken = twist(180, Reflections::kReport, 0),
+               report = twist(180, Reflections::kRepair, 0);
   EXPECT_GT(broken.inside_out, 0);
   EXPECT_EQ(report.inside_out, 0);
   EXPECT_GT(report.min_det_R, 0.4);
@@ -142,7 +146,7 @@ TEST(Reflections, StayCuredInTheUpdatesThatFollow) {
   const Strip strip = crushed();
   EmbeddedDeformationOptions options;
   options.graph.nodes = 150;
-  options.reflections = "repair";
+  options.reflections = Reflections::kRepair;
   EmbeddedDeformation deformation(strip.shape, options);
   deformation.compile(strip.handles);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(deformation.update(strip.targets).inside_out, 0) << i;
@@ -151,7 +155,7 @@ TEST(Reflections, StayCuredInTheUpdatesThatFollow) {
 // Every vertex is a handle, and their targets are the mirrored shape: nothing gives way.
 TEST(Reflections, ThatHandlesAskForStayAndAreSaid) {
   const Shape shape = tube(8);
-  const auto mirrored = [&](const std::string& reflections) {
+  const auto mirrored = [&](Reflections reflections) {
     EmbeddedDeformationOptions options;
     options.graph.nodes = 20;
     options.reflections = reflections;
@@ -164,8 +168,8 @@ TEST(Reflections, ThatHandlesAskForStayAndAreSaid) {
         deformation.update(Eigen::Vector3d(-1, 1, 1).asDiagonal() * Eigen::Matrix3Xd(shape.V));
     return std::pair(report, deformation.deformed().V);
   };
-  const auto [report, V] = mirrored("repair");
-  const auto [same, same_V] = mirrored("report");
+  const auto [report, V] = mirrored(Reflections::kRepair);
+  const auto [same, same_V] = mirrored(Reflections::kReport);
   EXPECT_GT(report.inside_out, 0);
   EXPECT_EQ(report.inside_out, same.inside_out);
   EXPECT_EQ(V, same_V);
@@ -174,7 +178,7 @@ TEST(Reflections, ThatHandlesAskForStayAndAreSaid) {
 }
 
 TEST(Reflections, AreNoneWhereTheEditIsMild) {
-  const Report report = twist(40, "repair"), same = twist(40, "report");
+  const Report report = twist(40, Reflections::kRepair), same = twist(40, Reflections::kReport);
   EXPECT_EQ(report.inside_out, 0);
   EXPECT_EQ(report.solve.final_cost, same.solve.final_cost);
 }

@@ -50,7 +50,7 @@ std::string refusal(const std::function<void()>& action) {
 }
 
 TEST(Arap2d, MovesWhatIsMovedAndKeepsWhatIsFixed) {
-  for (const char* steps : {"closed_form", "stages"}) {
+  for (const TwoStepMethod steps : {TwoStepMethod::kClosedForm, TwoStepMethod::kStages}) {
     Arap2d deformer(sheet(), {}, with(steps));
     deformer.compile(corner_and_place());
     const Report report = deformer.update(targets());
@@ -68,7 +68,8 @@ TEST(Arap2d, MovesWhatIsMovedAndKeepsWhatIsFixed) {
 }
 
 TEST(Arap2d, BothWaysComeToOneShape) {
-  Arap2d closed_form(sheet(), {}, with("closed_form")), stages(sheet(), {}, with("stages"));
+  Arap2d closed_form(sheet(), {}, with(TwoStepMethod::kClosedForm)),
+      stages(sheet(), {}, with(TwoStepMethod::kStages));
   for (Arap2d* deformer : {&closed_form, &stages}) {
     deformer->compile(corner_and_place());
     deformer->update(targets());

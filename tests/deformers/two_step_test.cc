@@ -79,8 +79,8 @@ std::vector<Case> cases(const Triangulation& mesh) {
 
 // Ceres' dogleg begins with the full step, which ends a linear stage; its damping would stop where
 // F falls no more in double precision, and so leave 1e-8 of x.
-SolverOptions solver(const char* method) {
-  return {.method = method, .ceres_trust_region = "dogleg", .epsilon = 1e-14};
+SolverOptions solver(SolverMethod method) {
+  return {.method = method, .ceres_trust_region = CeresTrustRegion::kDogleg, .epsilon = 1e-14};
 }
 
 TEST(TwoStep, AgreesWithBothGeneralSolversOnEveryStage) {
@@ -92,8 +92,9 @@ TEST(TwoStep, AgreesWithBothGeneralSolversOnEveryStage) {
       TwoStep closed_form(mesh, weights);
       closed_form.compile(places);
       closed_form.update(targets);
-      for (const char* method : {"gauss_newton", "ceres"}) {
-        SCOPED_TRACE(std::string(name) + ", " + method + ", " + std::to_string(weight));
+      for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
+        SCOPED_TRACE(std::string(name) + ", " + std::string(name_of(method)) + ", " +
+                     std::to_string(weight));
         StagedSteps stages(mesh, weights, 0, solver(method));
         stages.compile(places);
         stages.update(targets);
@@ -270,7 +271,7 @@ TEST(TwoStep, PartsThatMeetInAVertexHangTogether) {
   const std::vector<BarycentricPoint> places{BarycentricPoint::at_vertex(0),
                                              BarycentricPoint::at_vertex(3)};
   TwoStep steps(mesh, ones(mesh));
-  StagedSteps stages(mesh, ones(mesh), 0, solver("gauss_newton"));
+  StagedSteps stages(mesh, ones(mesh), 0, solver(SolverMethod::kGaussNewton));
   const Eigen::Matrix2d Q = Eigen::Rotation2Dd(0.8).toRotationMatrix();
   for (TwoStepSolver* both : std::initializer_list<TwoStepSolver*>{&steps, &stages}) {
     both->compile(places);
@@ -302,7 +303,7 @@ TEST(TwoStep, RefinementsLowerTheEnergyEachTime) {
   double last = std::numeric_limits<double>::infinity();
   for (const int refinements : {0, 1, 3, 10, 40}) {
     TwoStep steps(mesh, ones(mesh), refinements);
-    StagedSteps stages(mesh, ones(mesh), refinements, solver("gauss_newton"));
+    StagedSteps stages(mesh, ones(mesh), refinements, solver(SolverMethod::kGaussNewton));
     for (TwoStepSolver* both : std::initializer_list<TwoStepSolver*>{&steps, &stages}) {
       both->compile(places);
       both->update(moved(mesh, places));

@@ -126,7 +126,7 @@ TEST_F(AnimationRun, RefusesWhatCannotBe) {
   const std::pair<std::string, Words> bad[] = {
       {"animation.frames=0", {"animation.frames is 0", "1 to"}},
       {"animation.pictured=5", {"animation.pictured is 5", "1 to 4"}},
-      {"animation.sequence.every=-1", {"sequence.every is -1", "it is 0, or 1 and more"}},
+      {"animation.sequence.every=-1", {"sequence.every is -1", "at least 0"}},
       {"animation={generator: gallop, frames: 9999, sequence: {every: 1}}",
        {"sequence.every is 1", "42 and more for 9999 frames"}},
       {"animation.sequence.width=4", {"sequence.width is 4", "16 to 1024"}},

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "experiments/config/override.h"
+#include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -19,13 +20,17 @@ using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 enum class Method { kGaussNewton, kCeres };
+constexpr auto names_of(Method) {
+  using enum Method;
+  return std::to_array<EnumName<Method>>({{kGaussNewton, "gauss_newton"}, {kCeres, "ceres"}});
+}
 
 struct Graph {
   int nodes = 300;
   std::uint64_t seed = 1;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("nodes", o.nodes, "number of graph nodes");
+    visit.range("nodes", o.nodes, {.min = 1, .max = 1000}, "number of graph nodes");
     visit("seed", o.seed, "seed of the sampling");
   }
 };
@@ -59,15 +64,14 @@ struct Options {
   static void fields(Self& o, Visit&& visit) {
     visit.required("shape", o.shape, "file to deform");
     visit("record", o.record, "write every step");
-    visit("tolerance", o.tolerance, "when to stop");
+    visit.range("tolerance", o.tolerance, {.min = 0, .exclusive_min = true}, "when to stop");
     visit("title", o.title, "title of the figure");
     visit.choice("globalization", o.globalization, {"none", "line_search"}, "step control");
-    visit.choice("method", o.method,
-                 {{"gauss_newton", Method::kGaussNewton}, {"ceres", Method::kCeres}}, "solver");
+    visit("method", o.method, "solver");
     visit("up", o.up, "upward direction");
-    visit("sizes", o.sizes, "sizes");
-    visit("energies", o.energies, "weights by name");
-    visit("length_unit", o.length_unit, "unit of length");
+    visit.range("sizes", o.sizes, {.min = 0}, "sizes");
+    visit.range("energies", o.energies, {.min = 0}, "weights by name");
+    visit.range("length_unit", o.length_unit, {.max = 10}, "unit of length [length]");
     visit("graph", o.graph, "deformation graph");
     visit("parts", o.parts, "graphs by name");
     visit("claims", o.claims, "what must show");
@@ -181,6 +185,8 @@ TEST(Config, HelpComesFromTheSameDescription) {
   EXPECT_THAT(help, HasSubstr("  parts.NAME.nodes   300 "));
   EXPECT_THAT(help, HasSubstr("  claims[].name      required"));
   EXPECT_THAT(help, HasSubstr("step control: none | line_search\n"));
+  EXPECT_THAT(help, HasSubstr("solver: gauss_newton | ceres\n"));
+  EXPECT_THAT(help, HasSubstr("number of graph nodes; allowed: 1 to 1000\n"));
   EXPECT_THAT(help, HasSubstr("gauss_newton  "));
 }
 
@@ -238,6 +244,64 @@ TEST(Config, ChoicesListWhatIsAllowed) {
             "unknown value 'linesearch' for 'globalization' (line 2 of c.yaml); known: none, "
             "line_search; did you mean 'line_search'?");
   EXPECT_THAT(error_of("shape: x\nmethod: cere"), HasSubstr("did you mean 'ceres'?"));
+}
+
+TEST(Config, NumbersOutOfRangeNameKeyValueLineAndRange) {
+  EXPECT_EQ(error_of("shape: x\ngraph:\n  nodes: 0\n"),
+            "graph.nodes is 0 (line 3 of c.yaml); allowed: 1 to 1000");
+  EXPECT_EQ(error_of("shape: x\ntolerance: 0"),
+            "tolerance is 0 (line 2 of c.yaml); allowed: greater than 0");
+  EXPECT_EQ(error_of("shape: x\nsizes:\n- 1\n- -1"),
+            "sizes[1] is -1 (line 4 of c.yaml); allowed: at least 0");
+  EXPECT_EQ(error_of("shape: x\nenergies:\n  rotation: -2"),
+            "energies.rotation is -2 (line 3 of c.yaml); allowed: at least 0");
+  EXPECT_EQ(error_of("shape: x\nparts: {head: {nodes: 5000}}"),
+            "parts.head.nodes is 5000 (line 2 of c.yaml); allowed: 1 to 1000");
+  EXPECT_EQ(error_of("shape: x\nlength_unit: 11"),
+            "length_unit is 11 (line 2 of c.yaml); allowed: at most 10");
+  EXPECT_EQ(error_of("shape: x", {"graph.nodes=-3"}),
+            "graph.nodes is -3 (override 'graph.nodes=-3'); allowed: 1 to 1000");
+}
+
+TEST(Config, LinesAreAddedToErrorsOfCodeThatUsesTheOptions) {
+  const ConfigNode root = parse("shape: x\ngraph:\n  nodes: 7");
+  const auto fail = [&](const char* field) {
+    with_lines_of(root, [&] {
+      inside_option("graph",
+                    [&] { throw OptionError(field, "7", ", but the shape has 5 vertices"); });
+    });
+  };
+  EXPECT_THAT([&] { fail("nodes"); },
+              ThrowsMessage<InputError>(
+                  "graph.nodes is 7 (line 3 of c.yaml), but the shape has 5 vertices"));
+  EXPECT_THAT(
+      [&] { fail("seed"); },
+      ThrowsMessage<InputError>("graph.seed is 7 (the default), but the shape has 5 vertices"));
+}
+
+TEST(Config, OptionsOfLibraryUsersAreCheckedByTheSameDescription) {
+  Options options;
+  options.parts["head"].nodes = 1001;
+  EXPECT_THAT([&] { check_options(options); },
+              ThrowsMessage<OptionError>("parts.head.nodes is 1001; allowed: 1 to 1000"));
+  options = {};
+  options.tolerance = NAN;
+  EXPECT_THAT([&] { check_options(options); },
+              ThrowsMessage<OptionError>("tolerance is nan; allowed: greater than 0"));
+  options = {};
+  options.globalization = "armijo";
+  EXPECT_THAT([&] { check_options(options); },
+              ThrowsMessage<OptionError>("globalization is 'armijo'; known: none, line_search"));
+  EXPECT_NO_THROW(check_options(Options{}));
+}
+
+TEST(Config, NamesOfEarlierVersionsAreToldTheNewOnes) {
+  EXPECT_EQ(known_names("separable_cg", {"auto", "kronecker_cg"}),
+            "it is called 'kronecker_cg' now");
+  EXPECT_EQ(known_names("arap", {"rbf", "cgal_arap"}), "it is called 'cgal_arap' now");
+  EXPECT_EQ(known_names("rigid_shape", {"rbf", "arap_2d"}), "it is called 'arap_2d' now");
+  EXPECT_EQ(known_names("adaptive", {"nodes"}, "graph."), "it is called 'adaptive' now");
+  EXPECT_EQ(known_names("arap", {"mesh"}), "known: mesh");
 }
 
 TEST(Config, KeysOfOtherKindsAreCheckedTheSameWay) {

@@ -169,7 +169,7 @@ TEST(Edit, EntriesNeedOneSelectorAndOneAction) {
 
 TEST(Edit, RefusesImpossibleNumbers) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"{select: {sphere: {center: [0, 0, 0], radius: -0.5}}, fix: true}", "found -0.5"},
+      {"{select: {sphere: {center: [0, 0, 0], radius: -0.5}}, fix: true}", "radius is -0.5"},
       {"{select: {box: {min: [0, 2, 0], max: [1, 1, 1]}}, fix: true}", "min [0, 2, 0]"},
       {"{select: {all: true}, rotate: {axis: [0, 0, 0], degrees: 1}}", "axis must not be"},
       {"{select: {all: true}, by: [0, .nan, 0]}", "'edit[0].by[1]'"},

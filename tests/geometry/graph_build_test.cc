@@ -20,7 +20,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-GraphOptions with(const std::string& method, int nodes, const std::string& distance = "euclidean") {
+GraphOptions with(NodePlacement method, int nodes,
+                  NodeDistance distance = NodeDistance::kEuclidean) {
   GraphOptions options;
   options.method = method;
   options.nodes = nodes;
@@ -29,7 +30,7 @@ GraphOptions with(const std::string& method, int nodes, const std::string& dista
 }
 
 GraphOptions with_file(const std::string& text) {
-  GraphOptions options = with("file", 300);
+  GraphOptions options = with(NodePlacement::kFile, 300);
   options.file = std::filesystem::path(::testing::TempDir()) / "graph_build.obj";
   std::ofstream(options.file, std::ios::binary) << text;
   return options;
@@ -93,16 +94,18 @@ std::pair<std::vector<int>, std::vector<int>> halves(double until, double from) 
 
 TEST(BuildGraph, EveryMethodAndDistanceGivesASoundGraph) {
   const Shape plane = bumpy_plane(25);
-  for (const char* method : {"sampling", "simplification", "grid"}) {
-    for (const char* distance : {"euclidean", "geodesic", "edge_paths"}) {
-      SCOPED_TRACE(std::string(method) + ", " + distance);
+  for (const NodePlacement method :
+       {NodePlacement::kSampling, NodePlacement::kSimplification, NodePlacement::kGrid}) {
+    for (const NodeDistance distance :
+         {NodeDistance::kEuclidean, NodeDistance::kGeodesic, NodeDistance::kEdgePaths}) {
+      SCOPED_TRACE(::testing::Message() << method << ", " << distance);
       const BuiltGraph built = build_graph(plane, with(method, 36, distance));
       EXPECT_EQ(built.graph.g.cols(), 36);
       expect_sound(built, plane);
       EXPECT_THAT(built.notes, IsEmpty());
-      EXPECT_EQ(built.in_space, std::string(distance) == "euclidean");
+      EXPECT_EQ(built.in_space, distance == NodeDistance::kEuclidean);
       EXPECT_EQ(std::ranges::max(components(built.graph)), 0);
-      const bool samples_space = std::string(method) == "sampling" && built.in_space;
+      const bool samples_space = method == NodePlacement::kSampling && built.in_space;
       EXPECT_EQ(built.node_vertices.empty(), samples_space);
       for (std::size_t j = 0; j < built.node_vertices.size(); ++j) {
         EXPECT_EQ(built.graph.g.col(j), plane.V.col(built.node_vertices[j]));
@@ -116,8 +119,8 @@ TEST(BuildGraph, EveryMethodAndDistanceGivesASoundGraph) {
 
 TEST(BuildGraph, AlongASurfaceOnlyThatSideIsFollowed) {
   const Shape sheet = folded_sheet();
-  const auto across = [&](const std::string& distance) {
-    const BuiltGraph built = build_graph(sheet, with("simplification", 60, distance));
+  const auto across = [&](NodeDistance distance) {
+    const BuiltGraph built = build_graph(sheet, with(NodePlacement::kSimplification, 60, distance));
     expect_sound(built, sheet);
     int count = 0;
     for (Eigen::Index i = 0; i < sheet.V.cols(); ++i) {
@@ -130,9 +133,9 @@ TEST(BuildGraph, AlongASurfaceOnlyThatSideIsFollowed) {
     }
     return count;
   };
-  EXPECT_GT(across("euclidean"), 100);
-  EXPECT_EQ(across("geodesic"), 0);
-  EXPECT_EQ(across("edge_paths"), 0);
+  EXPECT_GT(across(NodeDistance::kEuclidean), 100);
+  EXPECT_EQ(across(NodeDistance::kGeodesic), 0);
+  EXPECT_EQ(across(NodeDistance::kEdgePaths), 0);
 }
 
 TEST(BuildGraph, ACutKeepsTheSidesApart) {
@@ -142,9 +145,11 @@ TEST(BuildGraph, ACutKeepsTheSidesApart) {
   std::vector<char> side(sheet.V.cols(), ' ');
   for (const int i : a) side[i] = 'a';
   for (const int i : b) side[i] = 'b';
-  for (const char* distance : {"euclidean", "geodesic", "edge_paths"}) {
-    SCOPED_TRACE(distance);
-    const BuiltGraph built = build_graph(sheet, with("simplification", 60, distance), cuts);
+  for (const NodeDistance distance :
+       {NodeDistance::kEuclidean, NodeDistance::kGeodesic, NodeDistance::kEdgePaths}) {
+    SCOPED_TRACE(::testing::Message() << distance);
+    const BuiltGraph built =
+        build_graph(sheet, with(NodePlacement::kSimplification, 60, distance), cuts);
     expect_sound(built, sheet);
     EXPECT_FALSE(built.in_space);
     const auto apart = [&](int v, int w) {
@@ -166,7 +171,7 @@ TEST(BuildGraph, ACutKeepsTheSidesApart) {
 TEST(BuildGraph, ACutThroughTheWholeShapeIsNoted) {
   const auto [a, b] = halves(0.5, 0.51);
   const BuiltGraph built =
-      build_graph(folded_sheet(), with("sampling", 60), std::vector<Cut>{{a, b}});
+      build_graph(folded_sheet(), with(NodePlacement::kSampling, 60), std::vector<Cut>{{a, b}});
   EXPECT_THAT(built.notes, Contains(HasSubstr("in 2 parts instead of 1")));
 }
 
@@ -175,7 +180,7 @@ TEST(BuildGraph, ACutThatLeavesAHandleWithoutANode) {
   for (int i = 0; i < 41 * 41; ++i) {
     if (i != 17) rest.push_back(i);
   }
-  GraphOptions options = with("grid", 36);
+  GraphOptions options = with(NodePlacement::kGrid, 36);
   EXPECT_THAT(refused(folded_sheet(), options, {{{17}, rest, "cut 1"}}),
               HasSubstr("cut 1: vertex 17 would have no node to follow"));
 }
@@ -203,10 +208,10 @@ TEST(BuildGraph, EdgesByHandWithoutOverlapJoinNothingWhereOverlapWeighs) {
   }
   GraphOptions options = with_file(text + "l 1 2 3 4 5\nl 6 7 8 9 10\nl 1 6\n");
   EXPECT_EQ(std::ranges::max(components(build_graph(two, options).graph)), 0);
-  options.alpha = "overlap";
+  options.alpha = EdgeWeights::kOverlap;
   const BuiltGraph built = build_graph(two, options);
   EXPECT_EQ(std::ranges::max(components(built.graph)), 1);
-  EXPECT_THAT(built.notes, Contains(HasSubstr("edges that join nodes without a common vertex")));
+  EXPECT_THAT(built.notes, Contains(HasSubstr("2 edges that join nodes without a common vertex")));
   double sum = 0;
   for (const GraphEdge& edge : built.graph.edges) {
     EXPECT_GT(edge.alpha, 0);
@@ -217,7 +222,7 @@ TEST(BuildGraph, EdgesByHandWithoutOverlapJoinNothingWhereOverlapWeighs) {
 
 TEST(BuildGraph, EdgesByHandAreWeighedByTheirLengthWhereThatIsAskedFor) {
   GraphOptions options = with_file("v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nl 1 2 3 4\n");
-  options.alpha = "length";
+  options.alpha = EdgeWeights::kLength;
   const BuiltGraph built = build_graph(bumpy_plane(9), options);
   ASSERT_EQ(built.graph.edges.size(), 3u);
   EXPECT_NEAR(built.graph.edges[0].alpha, 9 * built.graph.edges[1].alpha, 1e-12);
@@ -226,26 +231,35 @@ TEST(BuildGraph, EdgesByHandAreWeighedByTheirLengthWhereThatIsAskedFor) {
 }
 
 TEST(BuildGraph, FilesThatDoNotGoWithTheMethod) {
-  EXPECT_THAT(refused(bumpy_plane(9), with("file", 5)), HasSubstr("graph.file names none"));
+  EXPECT_THAT(refused(bumpy_plane(9), with(NodePlacement::kFile, 5)),
+              HasSubstr("method is file, but the option file names none"));
   GraphOptions options = with_file("v 0 0 0\n");
-  options.method = "grid";
-  EXPECT_THAT(refused(bumpy_plane(9), options), HasSubstr("graph.method is grid"));
+  options.method = NodePlacement::kGrid;
+  EXPECT_THAT(refused(bumpy_plane(9), options), HasSubstr("but method is grid"));
   EXPECT_THAT(refused(bumpy_plane(9), with_file("v 0 0 0\nv 1 0 0\n")), HasSubstr("isolated"));
 }
 
-TEST(BuildGraph, OptionsThatDoNotExist) {
+TEST(BuildGraph, OptionsOutOfRangeAreNamedAsInTheirStruct) {
   const Shape plane = bumpy_plane(9);
-  EXPECT_THAT(refused(plane, with("sample", 20)), HasSubstr("unknown graph.method 'sample'"));
-  EXPECT_THAT(refused(plane, with("sampling", 20, "geodetic")),
-              HasSubstr("unknown graph.distance 'geodetic'"));
+  GraphOptions options = with(NodePlacement::kSampling, 20);
+  options.neighbors = 17;
+  EXPECT_EQ(refused(plane, options), "neighbors is 17; allowed: 1 to 16");
+  options = with(NodePlacement::kGrid, 0);
+  EXPECT_EQ(refused(plane, options), "nodes is 0; allowed: 1 to 100000");
+  options = with(NodePlacement::kSimplification, 20);
+  options.aspect_ratio = 0.5;
+  EXPECT_EQ(refused(plane, options), "aspect_ratio is 0.5; allowed: at least 1");
 }
 
 TEST(BuildGraph, ShapesThatDoNotGoWithTheOptions) {
-  EXPECT_THAT(refused(point_set(50), with("sampling", 20, "geodesic")), HasSubstr("no faces"));
-  EXPECT_THAT(refused(point_set(50), with("simplification", 20)), HasSubstr("no faces"));
-  EXPECT_THAT(refused(bumpy_plane(4), with("sampling", 17, "edge_paths")),
-              AllOf(HasSubstr("graph.nodes is 17"), HasSubstr("16 vertices")));
-  for (const char* method : {"sampling", "simplification", "grid"}) {
+  EXPECT_THAT(refused(point_set(50), with(NodePlacement::kSampling, 20, NodeDistance::kGeodesic)),
+              HasSubstr("no faces"));
+  EXPECT_THAT(refused(point_set(50), with(NodePlacement::kSimplification, 20)),
+              HasSubstr("no faces"));
+  EXPECT_THAT(refused(bumpy_plane(4), with(NodePlacement::kSampling, 17, NodeDistance::kEdgePaths)),
+              AllOf(HasSubstr("nodes is 17"), HasSubstr("16 vertices")));
+  for (const NodePlacement method :
+       {NodePlacement::kSampling, NodePlacement::kSimplification, NodePlacement::kGrid}) {
     EXPECT_NE(refused(Shape{}, with(method, 5)), "") << method;
     Shape broken = bumpy_plane(9);
     broken.V(1, 3) = NAN;
@@ -273,8 +287,8 @@ TEST(BuildGraph, NodesThatCannotBe) {
 TEST(BuildGraph, PartsWithoutANodeFollowThoseNearestInSpace) {
   const Shape two = side_by_side(bumpy_plane(9), bumpy_plane(9), {0, 0, 1});
   const Eigen::Matrix3Xd nodes = bumpy_plane(9).V(Eigen::all, std::vector<int>{0, 8, 40, 72, 80});
-  for (const char* distance : {"geodesic", "edge_paths"}) {
-    const BuiltGraph built = build_graph(two, nodes, with("sampling", 5, distance));
+  for (const NodeDistance distance : {NodeDistance::kGeodesic, NodeDistance::kEdgePaths}) {
+    const BuiltGraph built = build_graph(two, nodes, with(NodePlacement::kSampling, 5, distance));
     expect_sound(built, two);
     EXPECT_THAT(built.notes, Contains(HasSubstr("nearest in space: 81")));
   }
@@ -284,8 +298,8 @@ TEST(BuildGraph, FewNodesOfAPartAreFollowedByFewer) {
   // One node on the second plane: what lies there follows it alone, and it is joined to none.
   const Shape two = side_by_side(bumpy_plane(9), bumpy_plane(9), {0, 0, 0.1});
   const Eigen::Matrix3Xd nodes = two.V(Eigen::all, std::vector<int>{0, 8, 40, 72, 80, 81 + 40});
-  for (const char* distance : {"geodesic", "edge_paths"}) {
-    const BuiltGraph built = build_graph(two, nodes, with("sampling", 6, distance));
+  for (const NodeDistance distance : {NodeDistance::kGeodesic, NodeDistance::kEdgePaths}) {
+    const BuiltGraph built = build_graph(two, nodes, with(NodePlacement::kSampling, 6, distance));
     expect_sound(built, two);
     for (int i = 81; i < 162; ++i) {
       EXPECT_EQ(built.embedding.nodes(0, i), 5);

@@ -39,18 +39,19 @@ TEST(Connect, JoinsWhatSharesAVertexOnce) {
 
 TEST(Connect, WeighsByOverlap) {
   // Σ w_j w_k is 0.5 · 0.5 + 0.75 · 0.25 for the first edge, 0 for the second; the mean becomes 1.
-  const DeformationGraph graph = connect(places(), by_hand(), "overlap");
+  const DeformationGraph graph = connect(places(), by_hand(), EdgeWeights::kOverlap);
   EXPECT_DOUBLE_EQ(graph.edges[0].alpha, 2);
   EXPECT_EQ(graph.edges[1].alpha, 0);
 }
 
 TEST(Connect, WeighsByLength) {
   // Lengths 1 and 3: 1 and 1/9, whose mean becomes 1.
-  const DeformationGraph graph = connect(places(), by_hand(), "length");
+  const DeformationGraph graph = connect(places(), by_hand(), EdgeWeights::kLength);
   EXPECT_DOUBLE_EQ(graph.edges[0].alpha, 1.8);
   EXPECT_DOUBLE_EQ(graph.edges[1].alpha, 0.2);
   for (const double scale : {1e-50, 1e50}) {
-    EXPECT_DOUBLE_EQ(connect(scale * places(), by_hand(), "length").edges[1].alpha, 0.2) << scale;
+    EXPECT_DOUBLE_EQ(connect(scale * places(), by_hand(), EdgeWeights::kLength).edges[1].alpha, 0.2)
+        << scale;
   }
 }
 
@@ -75,7 +76,8 @@ TEST(Connect, GivesExactlyTheEdgesOfTheDefinition) {
       }
     }
   }
-  for (const char* alpha : {"uniform", "overlap", "length"}) {
+  for (const EdgeWeights alpha :
+       {EdgeWeights::kUniform, EdgeWeights::kOverlap, EdgeWeights::kLength}) {
     const DeformationGraph graph = connect(g, e, alpha);
     std::vector<std::pair<int, int>> found;
     double sum = 0;

@@ -122,7 +122,7 @@ TEST(SampledNodes, NeedsAsManyDistinctPointsAsNodes) {
     sample_nodes(points, 6, 1);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("graph.nodes is 6"),
+    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("nodes is 6"),
                                                ::testing::HasSubstr("5 distinct points")));
   }
 }

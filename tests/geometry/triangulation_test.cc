@@ -256,9 +256,9 @@ TEST(Triangulate, WorksOnAnyDrawing) {
 
 TEST(Triangulate, RefusesOptionsOutOfRange) {
   const Region region{box(0, 0, 9, 9), {}};
-  EXPECT_EQ(refused(region, {.vertices = 2}), "vertices of the mesh is 2; it must be 3 to 200000");
-  EXPECT_THAT(refused(region, {.vertices = 200001}), HasSubstr("vertices of the mesh is 200001"));
-  EXPECT_EQ(refused(region, {.uneven = 0}), "uneven of the mesh is 0; it must be 0.1 to 10");
+  EXPECT_EQ(refused(region, {.vertices = 2}), "vertices is 2; allowed: 3 to 200000");
+  EXPECT_THAT(refused(region, {.vertices = 200001}), HasSubstr("vertices is 200001"));
+  EXPECT_EQ(refused(region, {.uneven = 0}), "uneven is 0; allowed: 0.1 to 10");
   EXPECT_THAT(refused(region, {.uneven = 11}), HasSubstr("uneven"));
   EXPECT_THAT(refused(region, {.uneven = NAN}), HasSubstr("uneven"));
 }

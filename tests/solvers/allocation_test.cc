@@ -50,7 +50,7 @@ class Allocations : public ::testing::Test {
   static long in_a_solve(SolverOptions options, int steps, const LossOptions& loss = {}) {
     const Sample sample = random_sample(100);
     Problem problem = make_problem(sample, twisted(sample.handles, 1.5, 3));
-    term(problem, "constraint").loss = make_loss(loss, "loss");
+    term(problem, "constraint").loss = make_loss(loss);
     const Unknowns start = problem.x;
     options.max_iterations = steps;
     const auto solver = make_solver(options);
@@ -77,7 +77,7 @@ TEST_F(Allocations, AStepMakesNone) {
       const SolverOptions options = gauss_newton(linear_solver, globalization, 1e-300);
       EXPECT_EQ(in_a_solve(options, 3), in_a_solve(options, 6))
           << linear_solver << " " << globalization;
-      const LossOptions loss{"huber", 0.1};
+      const LossOptions loss{LossKind::kHuber, 0.1};
       EXPECT_EQ(in_a_solve(options, 3, loss), in_a_solve(options, 6, loss))
           << linear_solver << " " << globalization << " with a loss";
     }

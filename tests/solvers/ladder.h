@@ -19,8 +19,7 @@ struct CeresSystem {
   Eigen::SparseMatrix<double> J;
 };
 
-inline CeresSystem ceres_system(const Problem& problem, const Unknowns& x,
-                                const std::string& blocks) {
+inline CeresSystem ceres_system(const Problem& problem, const Unknowns& x, CeresBlocks blocks) {
   SolverOptions solver_options = ceres_with("auto");
   solver_options.ceres_blocks = blocks;
   CeresSolver solver(solver_options);
@@ -77,7 +76,7 @@ inline void expect_same_system(const Problem& problem, const Unknowns& x) {
   const Eigen::SparseMatrix<double> J = all.J * free_entries(problem).transpose();
   const Eigen::SparseMatrix<double> JtJ = J.transpose() * J;
   const Eigen::VectorXd Jtr = J.transpose() * all.r;
-  for (const char* blocks : {"column", "node"}) {
+  for (const CeresBlocks blocks : {CeresBlocks::kColumn, CeresBlocks::kNode}) {
     const CeresSystem theirs = ceres_system(problem, x, blocks);
     EXPECT_LT(relative_difference(all.r, theirs.r), 1e-12) << blocks;
     EXPECT_LT(relative_difference(J, theirs.J), 1e-12) << blocks;

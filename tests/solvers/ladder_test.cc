@@ -63,7 +63,7 @@ TEST(LadderTop, EveryMethodIsHonestOnAHardScene) {
   const Sample sample = random_sample(60);
   const Eigen::Matrix3Xd targets = twisted(sample.handles, 2.5, 6);
   SolverOptions dogleg = ceres_with("auto");
-  dogleg.ceres_trust_region = "dogleg";
+  dogleg.ceres_trust_region = CeresTrustRegion::kDogleg;
   for (const SolverOptions& options :
        {gauss_newton("cholmod", "none"), gauss_newton("cholmod", "line_search"),
         gauss_newton("cholmod", "levenberg"), gauss_newton("cholmod", "accelerated"),

@@ -34,7 +34,7 @@ std::vector<SolverOptions> every_method() {
 }
 
 std::string name_of(const SolverOptions& o) {
-  return o.method + " " + o.linear_solver + " " + o.globalization;
+  return std::string(deformlab::name_of(o.method)) + " " + o.linear_solver + " " + o.globalization;
 }
 
 class CeresLinearSolver : public ::testing::TestWithParam<const char*> {};
@@ -60,9 +60,9 @@ INSTANTIATE_TEST_SUITE_P(Each, CeresLinearSolver,
 
 TEST(CeresOptions, AllFindTheSameMinimum) {
   SolverOptions dogleg = ceres_with("auto", 1e-9), eigen = dogleg, nodes = dogleg;
-  dogleg.ceres_trust_region = "dogleg";
-  eigen.ceres_sparse_library = "eigen_sparse";
-  nodes.ceres_blocks = "node";
+  dogleg.ceres_trust_region = CeresTrustRegion::kDogleg;
+  eigen.ceres_sparse_library = CeresSparseLibrary::kEigenSparse;
+  nodes.ceres_blocks = CeresBlocks::kNode;
   for (const SolverOptions& options : {dogleg, eigen, nodes}) {
     Problem problem = twisted_plate(20);
     const Unknowns start = problem.x;
@@ -73,29 +73,22 @@ TEST(CeresOptions, AllFindTheSameMinimum) {
 }
 
 TEST(SolverOptions, UnknownNamesAreErrorsThatListTheKnownOnes) {
-  EXPECT_THAT(error_of({.method = "newton"}), HasSubstr("'newton'; known: gauss_newton, ceres"));
-  EXPECT_THAT(
-      error_of(gauss_newton("umfpack", "none")),
-      HasSubstr("'umfpack' is not one of gauss_newton's; known: auto, cholmod, eigen_ldlt"));
+  EXPECT_THAT(error_of(gauss_newton("umfpack", "none")),
+              HasSubstr("linear_solver is 'umfpack'; known: auto, cholmod, eigen_ldlt"));
+  EXPECT_THAT(error_of(gauss_newton("cgnr", "none")),
+              HasSubstr("linear_solver is 'cgnr', which is not one of gauss_newton's; known: auto, "
+                        "cholmod, eigen_ldlt"));
   EXPECT_THAT(error_of(gauss_newton("cholmod", "armijo")),
               HasSubstr("'armijo'; known: none, line_search, levenberg"));
   EXPECT_THAT(error_of(ceres_with("cholmod")), HasSubstr("known: auto, dense_qr"));
-  SolverOptions options = ceres_with("auto");
-  options.ceres_trust_region = "newton";
-  EXPECT_THAT(error_of(options), HasSubstr("levenberg_marquardt or dogleg"));
-  options = ceres_with("auto");
-  options.ceres_sparse_library = "mumps";
-  EXPECT_THAT(error_of(options), HasSubstr("suite_sparse"));
-  options = ceres_with("auto");
-  options.ceres_blocks = "row";
-  EXPECT_THAT(error_of(options), HasSubstr("'row'; known: column, node"));
 }
 
 TEST(SolverOptions, NumbersOutOfRangeAreErrors) {
   for (const double epsilon : {0., -1., 1., double(NAN)}) {
-    EXPECT_THAT(error_of({.epsilon = epsilon}), HasSubstr("solver.epsilon"));
+    EXPECT_THAT(error_of({.epsilon = epsilon}), HasSubstr("epsilon is "));
   }
-  EXPECT_THAT(error_of({.max_iterations = 0}), HasSubstr("solver.max_iterations is 0"));
+  EXPECT_THAT(error_of({.max_iterations = 0}),
+              HasSubstr("max_iterations is 0; allowed: at least 1"));
 }
 
 TEST(EveryMethod, StaysAtRestAtRest) {
@@ -142,7 +135,7 @@ TEST(EveryMethod, FillsTheSummary) {
     EXPECT_GE(linear_work, std::ssize(s.iterations)) << name_of(options);
     EXPECT_GT(s.seconds.at("total"), 0);
     EXPECT_THAT(s.blas, HasSubstr("openblas"));
-    EXPECT_EQ(s.method, options.method);
+    EXPECT_EQ(s.method, deformlab::name_of(options.method));
   }
 }
 
@@ -212,7 +205,7 @@ TEST(SingularProblems, EndFiniteAndSaySo) {
       EXPECT_LT(summary.final_cost, 1e-6) << name_of(options);
       // Conjugate gradients solve a singular system that has solutions without noticing.
       const bool factors =
-          options.method == "gauss_newton" && options.linear_solver != "kronecker_cg";
+          options.method == SolverMethod::kGaussNewton && options.linear_solver != "kronecker_cg";
       if (factors && options.globalization != "levenberg") {
         ASSERT_EQ(summary.notes.size(), 1u) << name_of(options);
         EXPECT_THAT(summary.notes[0], HasSubstr("singular")) << name_of(options);

@@ -32,13 +32,13 @@ inline Problem twisted_plate(int m, unsigned seed = 1) {
 
 inline SolverOptions gauss_newton(const std::string& linear_solver,
                                   const std::string& globalization, double epsilon = 1e-6) {
-  return {.method = "gauss_newton",
+  return {.method = SolverMethod::kGaussNewton,
           .linear_solver = linear_solver,
           .globalization = globalization,
           .epsilon = epsilon};
 }
 inline SolverOptions ceres_with(const std::string& linear_solver, double epsilon = 1e-6) {
-  return {.method = "ceres", .linear_solver = linear_solver, .epsilon = epsilon};
+  return {.method = SolverMethod::kCeres, .linear_solver = linear_solver, .epsilon = epsilon};
 }
 
 /// Compiles and solves; the result is left in the problem.

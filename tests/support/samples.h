@@ -59,7 +59,7 @@ inline Triangulation shaken_grid(int n, unsigned seed = 1) {
 inline Sample make_sample(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& v, int k) {
   const Embedding shape = embed(v, g, k);
   Sample sample;
-  sample.graph = connect(g, shape, "overlap");
+  sample.graph = connect(g, shape, EdgeWeights::kOverlap);
   const double low = v.row(0).minCoeff(), high = v.row(0).maxCoeff();
   std::vector<int> ends;
   for (int i = 0; i < v.cols(); ++i) {

@@ -30,7 +30,6 @@ AnimateOptions read_animate_options(const std::vector<std::string>& overrides,
   auto options = read_config<AnimateOptions>(root);
   complete_energies(root, options.deformation);
   check(options.picture);
-  check_pictured(options.pictured, kMostPictured, "pictured");
   return options;
 }
 

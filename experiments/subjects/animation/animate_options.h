@@ -21,10 +21,11 @@ struct AnimateOptions {
   static void fields(Self& o, Visit&& visit) {
     EmbeddedDeformationOptions::fields(o.deformation, visit);
     visit("path", o.path,
-          "id of the particle whose path the nodes are sampled on; by default of those that live "
-          "longest the one that goes straightest");
-    visit("picture", o.picture, "how --picture is drawn");
-    visit("pictured", o.pictured, "frames in --picture, evenly spread");
+          "The id of the particle on whose path the nodes are sampled; by default, of those that "
+          "live longest, the one that goes straightest");
+    visit("picture", o.picture, "How the file of --picture is drawn");
+    visit.range("pictured", o.pictured, {.min = 1, .max = kMostPictured},
+                "The number of frames in --picture, evenly spread over the animation");
   }
 };
 

@@ -1,16 +1,24 @@
 #pragma once
 
+#include <array>
 #include <optional>
-#include <string>
 
 #include "experiments/subjects/animation/animation_pictures.h"
 #include "experiments/subjects/animation/script.h"
 
 namespace deformlab {
 
-/// The animation of a config, in the place of a shape.
+/// The animations that can be generated: a quadruped that gallops, or a jet of particles.
+enum class AnimationGenerator { kNone, kGallop, kJet };
+constexpr auto names_of(AnimationGenerator) {
+  using enum AnimationGenerator;
+  return std::to_array<EnumName<AnimationGenerator>>(
+      {{kNone, "none"}, {kGallop, "gallop"}, {kJet, "jet"}});
+}
+
+/// The animation that a config edits instead of a shape.
 struct AnimationOptions {
-  std::string generator = "none";
+  AnimationGenerator generator = AnimationGenerator::kNone;
   int frames = 24;
   double cycle = 24;    ///< frames of one cycle of a gait
   double bend = 0;      ///< of the jet [degree]
@@ -22,16 +30,25 @@ struct AnimationOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.choice("generator", o.generator, {"none", "gallop", "jet"},
-                 "a quadruped that gallops, or a jet of particles");
-    visit("frames", o.frames, "how many");
-    visit("cycle", o.cycle, "frames of one cycle of the gait");
-    visit("cell", o.cell, "mean distance of the quadruped's vertices; its length is about 2.7");
-    visit("bend", o.bend, "how far the jet turns upwards over its length [degree], 0 to 180");
+    visit("generator", o.generator,
+          "The animation: a quadruped that gallops, or a jet of particles; none: the config is "
+          "about a shape or a drawing");
+    visit.range("frames", o.frames, {.min = 1, .max = 10'000}, "The number of frames");
+    visit.range("cycle", o.cycle, {.min = 0, .exclusive_min = true},
+                "The length of one cycle of the gait [frame]");
+    visit.range("cell", o.cell, {.min = 0.01, .max = 0.06},
+                "The mean distance of the quadruped's vertices; the quadruped is about 2.7 long "
+                "[length]");
+    visit.range("bend", o.bend, {.min = 0, .max = 180},
+                "How far the jet turns upwards over its length [degree]");
     KeyframesOptions::fields(o.keyframes, visit);
-    visit("path", o.path, "id of the particle whose path carries the graph; else it is chosen");
-    visit("pictured", o.pictured, "frames in the picture, evenly spread");
-    visit("sequence", o.sequence, "its frames one by one, as pictures in a folder beside it");
+    visit("path", o.path,
+          "The id of the particle whose path carries the graph; by default a particle with a long "
+          "and straight path is chosen");
+    visit.range("pictured", o.pictured, {.min = 1, .max = kMostPictured},
+                "The number of frames in the picture, evenly spread over the animation");
+    visit("sequence", o.sequence,
+          "Pictures of single frames, which are written to a folder beside the picture");
   }
 };
 

@@ -1,33 +1,32 @@
 #include "experiments/subjects/animation/animation_pictures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "geometry/core/error.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
 
-constexpr int kMostPictures = 240, kNarrowest = 16, kWidest = 1024;
+constexpr int kMostPictures = 240;
 
 }  // namespace
 
 void check(const SequenceOptions& o, int frames) {
-  if (o.every < 0 || (o.every > 0 && (frames - 1) / o.every + 1 > kMostPictures)) {
-    throw InputError("animation.sequence.every is " + std::to_string(o.every) + "; it is 0, or " +
-                     std::to_string((frames - 1) / kMostPictures + 1) + " and more for " +
-                     std::to_string(frames) + " frames, as there can be " +
-                     std::to_string(kMostPictures) + " pictures");
-  }
-  if (o.width < kNarrowest || o.width > kWidest) {
-    throw InputError("animation.sequence.width is " + std::to_string(o.width) + "; it is " +
-                     std::to_string(kNarrowest) + " to " + std::to_string(kWidest));
-  }
+  const int least = (frames - 1) / kMostPictures + 1;
+  if (o.every == 0 || o.every >= least) return;
+  throw OptionError(
+      "animation.sequence.every", std::to_string(o.every),
+      fmt::format("; allowed: 0, or at least {} for {} frames, because there can be {} "
+                  "pictures",
+                  least, frames, kMostPictures));
 }
 
 void check_pictured(int pictured, int most, const std::string& name) {
-  if (pictured >= 1 && pictured <= most) return;
-  throw InputError(name + " is " + std::to_string(pictured) + "; it is 1 to " +
-                   std::to_string(most) + " of the frames");
+  if (pictured <= most) return;
+  throw OptionError(name, std::to_string(pictured),
+                    fmt::format("; allowed: 1 to {}, the number of frames", most));
 }
 
 std::vector<int> evenly_spread(const FrameRange& range, int count) {
@@ -79,7 +78,7 @@ void AnimationBook::add_to_sheet(const SeenFrames& frames, const DeformationGrap
     outputs.push_back(output_panel(seen, caption + ", " + name));
   }
   columns_ = static_cast<int>(outputs.size());
-  if (!inputs.empty() && options_.graph != "none") {
+  if (!inputs.empty() && options_.graph != PicturedGraph::kNone) {
     add_graph(inputs[0], graph, graph.g, kNodeRadius * bounding_box_diagonal(inputs[0].shape->V));
   }
   for (std::vector<Panel>* row : {&inputs, &outputs}) {

@@ -12,6 +12,8 @@
 
 namespace deformlab {
 
+inline constexpr int kMostPictured = 64;  ///< frames in a contact sheet
+
 /// An animation as an image sequence, beside its contact sheet.
 struct SequenceOptions {
   int every = 0;
@@ -19,15 +21,15 @@ struct SequenceOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("every", o.every, "a picture of the first of so many frames; 0: none");
-    visit("width", o.width, "of one panel [pixel]; its height is in proportion");
+    visit.range("every", o.every, {.min = 0},
+                "A picture is made of the first of every so many frames; 0 makes none");
+    visit.range("width", o.width, {.min = 16, .max = 1024},
+                "The width of one panel, to which its height is in proportion [pixel]");
   }
 };
 
 /// Throws InputError for options out of range, and for more pictures of `frames` than can be kept.
 void check(const SequenceOptions& options, int frames);
-
-inline constexpr int kMostPictured = 64;  ///< frames in a contact sheet
 
 /// Throws InputError where a contact sheet cannot show so many frames; `name` is what messages call
 /// the option.

@@ -13,8 +13,6 @@
 namespace deformlab {
 namespace {
 
-constexpr int kMostFrames = 10'000;
-
 SeenFrames frames_to_see(const AnimationOptions& o) {
   return {evenly_spread({0, o.frames - 1}, o.pictured), o.sequence};
 }
@@ -81,31 +79,25 @@ Run run_jet(const ExperimentConfig& config, const std::string& caption, Animatio
 }  // namespace
 
 void check(const AnimationOptions& o, const ConfigNode& edit) {
-  if (o.frames < 1 || o.frames > kMostFrames) {
-    throw InputError("animation.frames is " + std::to_string(o.frames) + "; it is 1 to " +
-                     std::to_string(kMostFrames));
-  }
   check_pictured(o.pictured, std::min(o.frames, kMostPictured), "animation.pictured");
-  if (!(o.cycle > 0) || !(o.cell >= 0.01 && o.cell <= 0.06)) {
-    throw InputError("animation.cycle is " + std::to_string(o.cycle) + " and animation.cell " +
-                     std::to_string(o.cell) +
-                     "; a cycle has a positive length, a cell 0.01 to 0.06");
-  }
-  if (!(o.bend >= 0 && o.bend <= 180)) {
-    throw InputError("animation.bend is " + std::to_string(o.bend) + "; it is 0 to 180 degrees");
-  }
   check(o.sequence, o.frames);
   read_script(edit, o.keyframes);
 }
 
 Run run_animation(const ExperimentConfig& config, const std::string& caption,
                   AnimationBook& pictures) {
-  const std::string& method = config.method.deformer;
-  if (method != "auto" && method != "embedded_deformation") {
-    throw InputError("deformer '" + method + "' takes no animation; embedded_deformation does");
+  const DeformerKind method = config.method.deformer;
+  if (method != DeformerKind::kAuto && method != DeformerKind::kEmbeddedDeformation) {
+    throw OptionError("deformer", std::string(name_of(method)),
+                      ", which takes no animation; embedded_deformation does");
   }
-  Run run = config.animation.generator == "jet" ? run_jet(config, caption, pictures)
-                                                : run_gallop(config, caption, pictures);
+  if (config.method.adaptive.start != 0) {
+    throw OptionError("adaptive.start", std::to_string(config.method.adaptive.start),
+                      ", but the graph of an animation is made once and stays; make it 0");
+  }
+  Run run = config.animation.generator == AnimationGenerator::kJet
+                ? run_jet(config, caption, pictures)
+                : run_gallop(config, caption, pictures);
   for (const std::string& note : run.notes) LOG(WARNING) << note;
   return run;
 }

@@ -14,7 +14,7 @@ struct ScriptFile {
   KeyframesOptions keyframes;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("edit", o.edit, "selections and what happens to them in all frames");
+    visit("edit", o.edit, "Selections and what happens to them in all frames");
     KeyframesOptions::fields(o.keyframes, visit);
   }
 };
@@ -35,7 +35,7 @@ void check_distinct(const std::vector<TimedEdit>& edits) {
 }  // namespace
 
 Script read_script(const ConfigNode& edit, const KeyframesOptions& options) {
-  Script script{options.pose, options.interpolation == "smooth", {}};
+  Script script{options.pose, options.interpolation == Interpolation::kSmooth, {}};
   const bool has_edit = edit.kind != ConfigNode::Kind::kNull;
   if (!has_edit && options.keyframes.empty()) {
     throw InputError("nothing is edited: the edit has neither 'edit' nor 'keyframes'");

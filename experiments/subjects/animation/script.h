@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,30 +9,38 @@
 
 namespace deformlab {
 
-/// What an edit of one frame is, among those between which an animation's edit changes.
+/// An edit of one frame, among those between which an animation's edit changes.
 struct KeyframeOptions {
   int frame = 0;
   ConfigNode edit;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("frame", o.frame, "number of the frame at which it holds");
-    visit.required("edit", o.edit, "selections and what happens to them, as in `edit:`");
+    visit.required("frame", o.frame, "The number of the frame in which the edit holds");
+    visit.required("edit", o.edit, "Selections and what happens to them, as in `edit:`");
   }
 };
 
-/// When what is edited how, beside `edit:` itself.
+/// How offsets go from one keyframe to the next: in proportion to time, or slowly at both ends.
+enum class Interpolation { kLinear, kSmooth };
+constexpr auto names_of(Interpolation) {
+  using enum Interpolation;
+  return std::to_array<EnumName<Interpolation>>({{kLinear, "linear"}, {kSmooth, "smooth"}});
+}
+
+/// The edits of an animation that change with time, beside `edit:` itself.
 struct KeyframesOptions {
   std::optional<int> pose;
-  std::string interpolation = "linear";
+  Interpolation interpolation = Interpolation::kLinear;
   std::vector<KeyframeOptions> keyframes;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("pose", o.pose,
-          "the frame that all selections and places speak of, and the graph is built on; by "
-          "default `edit` means the first frame, and each keyframe its own");
-    visit.choice("interpolation", o.interpolation, {"linear", "smooth"},
-                 "of the offsets between two keyframes: as it is, or slow at both ends");
-    visit("keyframes", o.keyframes, "edits that change with time");
+          "The frame that all selections and positions refer to, and on which the graph is built. "
+          "By default `edit` refers to the first frame, and each keyframe to its own");
+    visit("interpolation", o.interpolation,
+          "How offsets go from one keyframe to the next: in proportion to time, or slowly at both "
+          "ends");
+    visit("keyframes", o.keyframes, "Edits that change with time");
   }
 };
 

@@ -27,7 +27,7 @@ void DrawingBook::add_rest(const PicturedDrawing& pictured) {
   if (!options_.rest) return;
   DrawingPanel panel;
   panel.V = pictured.bound->rest().V;
-  panel.edges = options_.graph != "none";
+  panel.edges = options_.graph != PicturedGraph::kNone;
   panel.tint = (pictured.weights.array() != 1).cast<double>();
   panel.handles = held(pictured.edit, panel.V, true);
   panel.caption = "rest shape";
@@ -39,7 +39,7 @@ void DrawingBook::add_deformed(const PicturedDrawing& pictured, const Eigen::Mat
   DrawingPanel panel;
   panel.V = V;
   panel.depth = depth;
-  panel.edges = options_.graph == "all";
+  panel.edges = options_.graph == PicturedGraph::kAll;
   panel.handles = held(pictured.edit, V, false);
   panel.caption = caption;
   panels_.push_back({pictured.bound, std::move(panel)});

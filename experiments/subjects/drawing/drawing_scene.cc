@@ -33,9 +33,11 @@ struct Coat {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("select", o.select, "vertices, as in an edit");
-    visit("mask", o.mask, "a PNG of the page's size");
-    visit("weight", o.weight, "of the triangles painted");
+    visit("select", o.select, "Vertices, selected as in an edit");
+    visit("mask", o.mask,
+          "A PNG image of the page's size, which is opaque and dark where triangles are painted");
+    visit("weight", o.weight,
+          "The stiffness of the triangles that are painted; that of the others is 1");
   }
 };
 

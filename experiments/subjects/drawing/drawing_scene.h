@@ -18,8 +18,8 @@ struct DrawingSceneOptions {
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("file", o.file,
-          "a drawing (.png .svg .txt) or a flat mesh: beside the config, here, or among "
-          "openclipart's; empty: the config is about a shape");
+          "A drawing (.png .svg .txt) or a flat mesh: beside the config, in the working folder, or "
+          "among openclipart's; without one, the config is about a shape");
     DrawingOptions::fields(o.reading, visit);
     TriangulationOptions::fields(o.mesh, visit);
   }

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "geometry/core/error.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
@@ -134,7 +135,7 @@ ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64
 }
 
 Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife& life, int m) {
-  if (m < 1) throw InputError("graph.nodes is " + std::to_string(m) + "; it is at least 1");
+  check_number("graph.nodes", m, {.min = 1});
   Eigen::Matrix3Xd samples(3, m);
   const auto time = [&](int j) {
     return m == 1 ? life.first : life.first + double(life.last - life.first) * j / (m - 1);

@@ -12,8 +12,8 @@ struct CutEntry {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("between", o.between, "vertices, as in an edit");
-    visit.required("and", o.and_, "those that must not follow the same nodes");
+    visit.required("between", o.between, "Vertices, selected as in an edit");
+    visit.required("and", o.and_, "Vertices that must not follow the same nodes as the first");
   }
 };
 

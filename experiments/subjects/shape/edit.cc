@@ -59,10 +59,6 @@ void check_selection(const Selection& select, const std::string& where) {
     throw InputError(where + ": 'select' needs exactly one of vertices, box, sphere, nearest, " +
                      "point, file, all; found " + std::to_string(given));
   }
-  if (select.sphere && select.sphere->radius < 0) {
-    throw InputError(where + ": the sphere's radius must be at least 0, found " +
-                     to_yaml_line(to_node(select.sphere->radius)));
-  }
   if (select.box && (select.box->min.array() > select.box->max.array()).any()) {
     throw InputError(where + ": the box's min " + text_of(select.box->min) +
                      " must not exceed its max " + text_of(select.box->max));
@@ -285,7 +281,7 @@ struct EditFile {
   ConfigNode edit;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("edit", o.edit, "selections and what happens to them");
+    visit.required("edit", o.edit, "Selections and what happens to them");
   }
 };
 

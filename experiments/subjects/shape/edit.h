@@ -19,8 +19,8 @@ struct BoxSelection {
   Eigen::Vector3d max = Eigen::Vector3d::Zero();
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("min", o.min, "smallest corner [x, y, z]");
-    visit.required("max", o.max, "largest corner [x, y, z]");
+    visit.required("min", o.min, "The smallest corner [x, y, z] [length]");
+    visit.required("max", o.max, "The largest corner [x, y, z] [length]");
   }
 };
 
@@ -30,8 +30,8 @@ struct SphereSelection {
   double radius = 0;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("center", o.center, "center [x, y, z]");
-    visit.required("radius", o.radius, "radius, at least 0");
+    visit.required("center", o.center, "The centre [x, y, z] [length]");
+    visit.required("radius", o.radius, {.min = 0}, "The radius [length]");
   }
 };
 
@@ -46,13 +46,13 @@ struct Selection {
   std::optional<bool> all;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("vertices", o.vertices, "vertex indices, counted from 0");
-    visit("box", o.box, "all vertices inside an axis-aligned box");
-    visit("sphere", o.sphere, "all vertices inside a sphere");
-    visit("nearest", o.nearest, "the one vertex closest to [x, y, z]");
-    visit("point", o.point, "a place inside the shape, be it a vertex or not");
-    visit("file", o.file, "a text file with a vertex index a line, beside the YAML file");
-    visit("all", o.all, "true: every vertex");
+    visit("vertices", o.vertices, "The indices of vertices, counted from 0");
+    visit("box", o.box, "All vertices inside an axis-aligned box");
+    visit("sphere", o.sphere, "All vertices inside a sphere");
+    visit("nearest", o.nearest, "The one vertex that is closest to [x, y, z] [length]");
+    visit("point", o.point, "A point inside the shape, which need not be a vertex [length]");
+    visit("file", o.file, "A text file beside the YAML file, with one vertex index in each line");
+    visit("all", o.all, "true selects every vertex");
   }
 };
 
@@ -63,9 +63,10 @@ struct Turn {
   std::optional<Eigen::Vector3d> center;  ///< the centroid of the selection where not given
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("axis", o.axis, "direction [x, y, z] of any length");
-    visit.required("degrees", o.degrees, "angle, by the right-hand rule");
-    visit("center", o.center, "a point on the axis; the centroid of the selection by default");
+    visit.required("axis", o.axis, "The direction of the axis [x, y, z], of any length");
+    visit.required("degrees", o.degrees, "The angle, by the right-hand rule [degree]");
+    visit("center", o.center,
+          "A point on the axis, by default the centroid of the selection [length]");
   }
 };
 
@@ -82,11 +83,13 @@ struct EditEntry {
   std::string where;  ///< "edit entry 2 (line 5 of edit.yaml)", for messages
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("select", o.select, "the vertices: exactly one of the following");
-    visit("fix", o.fix, "true: the vertices keep their place exactly");
-    visit("by", o.by, "translation [dx, dy, dz]");
-    visit("to", o.to, "the vertex, or the centroid of the selection, goes to [x, y, z]");
-    visit("rotate", o.rotate, "rotation; together with 'by' it comes first");
+    visit.required("select", o.select, "The vertices, by exactly one of the following");
+    visit("fix", o.fix, "true fixes the vertices at their positions");
+    visit("by", o.by, "A translation [dx, dy, dz] [length]");
+    visit("to", o.to,
+          "The position [x, y, z] to which the vertex, or the centroid of the selection, goes "
+          "[length]");
+    visit("rotate", o.rotate, "A rotation; together with 'by' it comes first");
   }
 };
 

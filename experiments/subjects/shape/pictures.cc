@@ -54,8 +54,8 @@ void PictureBook::add_graph(const EmbeddedDeformation& deformer, const Transform
   Panel& panel = panels_.back();
   const DeformationGraph& graph = deformer.graph();
   const double size = bounding_box_diagonal(panel.shape->V), edge = mean_edge_length(graph);
-  if (options_.graph == "all" ||
-      (options_.graph == "rest" && panels_.size() == 1 && options_.rest)) {
+  if (options_.graph == PicturedGraph::kAll ||
+      (options_.graph == PicturedGraph::kRest && panels_.size() == 1 && options_.rest)) {
     deformlab::add_graph(panel, graph, deformed_nodes(graph, X),
                          std::min(kNodeRadius * size, kNodeShare * edge));
   }
