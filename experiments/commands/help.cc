@@ -78,7 +78,7 @@ std::string row(const FieldHelp& field) {
   return fmt::format("| `{}` | {} | {} |\n", field.name, value, escaped(field.meaning));
 }
 
-// `graph` of graph.adaptive.start, `claims` of claims[].name.
+// `graph` of graph.nodes, `claims` of claims[].name.
 std::string_view root(const FieldHelp& field) {
   return std::string_view(field.name).substr(0, field.name.find_first_of(".["));
 }

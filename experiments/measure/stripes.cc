@@ -1,10 +1,12 @@
 #include "experiments/measure/stripes.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "geometry/core/error.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
@@ -25,8 +27,8 @@ Eigen::VectorXd slopes(const Eigen::Matrix3Xd& V, int columns) {
 
 Metrics stripes(const Eigen::Matrix3Xd& V, int columns, int window) {
   if (window < 3 || window % 2 == 0 || window >= columns) {
-    throw InputError("measure.stripes is " + std::to_string(window) +
-                     "; it is an odd number of columns, 3 to " + std::to_string(columns - 1));
+    throw OptionError("measure.stripes", std::to_string(window),
+                      fmt::format("; allowed: an odd number of columns, 3 to {}", columns - 1));
   }
   const Eigen::VectorXd slope = slopes(V, columns);
   const Eigen::Index count = slope.size() - window + 1;

@@ -17,8 +17,8 @@ struct Overlap {
   bool operator<(const Overlap& o) const { return std::pair(j, k) < std::pair(o.j, o.k); }
 };
 
-// Sums the overlap of each pair of nodes: a table of hashes with open addressing, so that the time
-// does not grow with how many points a pair shares.
+// Sums the overlap of each pair of nodes. A hash table with open addressing finds a pair in a time
+// that does not grow with the number of points that the pair shares.
 class Overlaps {
  public:
   void add(int j, int k, double amount) {
@@ -36,7 +36,7 @@ class Overlaps {
   }
 
  private:
-  static constexpr std::size_t kSlots = 8;  // for each pair at least: most are found at once
+  static constexpr std::size_t kSlots = 8;  // per pair at least, so that most are found at once
 
   int& slot(int j, int k) {
     const std::size_t mask = table_.size() - 1;
@@ -57,7 +57,7 @@ class Overlaps {
   std::vector<Overlap> pairs_;
 };
 
-// Every pair of nodes that share a vertex.
+// The overlaps of all pairs of nodes that share a vertex.
 std::vector<Overlap> overlaps(const Embedding& e, std::span<const int> followed) {
   Overlaps pairs;
   for (Eigen::Index i = 0; i < e.nodes.cols(); ++i) {
@@ -101,7 +101,7 @@ void weigh_by_length(DeformationGraph& graph) {
   for (const GraphEdge& edge : graph.edges) {
     if (length(edge) > 0) least = std::min(least, length(edge));
   }
-  // In units of the shortest, so that no power overflows.
+  // Lengths are divided by the shortest, so that no power overflows.
   for (GraphEdge& edge : graph.edges)
     edge.alpha = std::pow(std::max(1.0, length(edge) / least), -2);
   normalize_weights(graph);

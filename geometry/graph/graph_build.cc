@@ -26,7 +26,7 @@ auto timed(double& seconds, Action&& action) {
   return result;
 }
 
-// Nodes, the vertices that they sit on where they do, and the edges of a graph made by hand.
+// Nodes, the vertices that they sit on (if any), and the edges that a file gives (if it does).
 struct Placed {
   Eigen::Matrix3Xd g;
   std::vector<int> vertices{};
@@ -72,7 +72,7 @@ bool is_before(const GraphEdge& one, const GraphEdge& other) {
   return std::pair(one.j, one.k) < std::pair(other.j, other.k);
 }
 
-// The edges made by hand, weighed as those of co-influence are: not at all where there is none.
+// The edges of a file with the weights that edges of co-influence have; 0 where there is none.
 std::vector<GraphEdge> weighed(std::vector<GraphEdge> by_hand,
                                const std::vector<GraphEdge>& by_influence) {
   for (GraphEdge& edge : by_hand) {
@@ -117,7 +117,7 @@ class Builder {
     return graph;
   }
 
-  // An edge of no weight joins nothing, and a part that only it joined is free.
+  // Edges of weight 0 are removed, so that a part that only they join counts as a part of its own.
   void take(const std::vector<GraphEdge>& by_hand, DeformationGraph& graph) {
     const bool by_overlap = options_.alpha == EdgeWeights::kOverlap;
     graph.edges = by_overlap ? weighed(by_hand, graph.edges) : by_hand;

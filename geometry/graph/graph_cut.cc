@@ -8,7 +8,7 @@
 namespace deformlab {
 namespace {
 
-// The side of each cut that a vertex is on: 'a', 'b' or neither.
+// For each cut the side that a vertex is on: 'a', 'b', or ' ' for neither.
 using Sides = std::string;
 
 void enter(const Cut& cut, const std::vector<int>& vertices, char side, std::size_t c,

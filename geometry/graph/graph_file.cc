@@ -1,5 +1,7 @@
 #include "geometry/graph/graph_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -8,7 +10,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -54,7 +55,7 @@ class Reader {
     bool joined = false;
   };
   struct Ends {
-    std::int64_t from, to;  // counted from 1
+    std::int64_t from, to;  // indices that count from 1
     std::string line;
   };
 
@@ -85,9 +86,8 @@ class Reader {
 
   void check_distance(const Eigen::Vector3d& g, const std::string& owner) const {
     if (g.cwiseAbs().maxCoeff() <= kMostLength) return;
-    std::ostringstream what;
-    what << owner << " is at (" << g.transpose() << "); coordinates may be up to " << kMostLength;
-    cannot_read(name_, what.str());
+    cannot_read(name_, fmt::format("{} is at ({:.6g} {:.6g} {:.6g}); coordinates may be up to {:g}",
+                                   owner, g.x(), g.y(), g.z(), kMostLength));
   }
 
   void polyline(const Lines& lines) {
@@ -98,18 +98,18 @@ class Reader {
     }
   }
 
-  // Counted from 1; whether there is such a node shows at the end of the file.
+  // Returns an index that counts from 1. Whether the node exists is checked at the end of the file.
   std::int64_t index(const Token& word, const Lines& lines) const {
     const auto value = to_integer(word.text.substr(0, word.text.find('/')));
     constexpr std::int64_t kMost = std::numeric_limits<int>::max();
     if (!value || *value == 0 || *value > kMost || *value < -kMost) {
-      cannot_read(name_, lines.name() + ": " + quoted_ascii(word.text) +
-                             " is not a node; they count from 1, or from -1 backwards");
+      cannot_read(name_,
+                  fmt::format("{}: {} is not a node; nodes count from 1, or backwards from -1",
+                              lines.name(), quoted_ascii(word.text)));
     }
     if (-*value > std::ssize(nodes_)) {
-      cannot_read(name_, lines.name() + ": an edge to " + quoted_ascii(word.text) +
-                             " leads nowhere: so far there are " + std::to_string(nodes_.size()) +
-                             " nodes");
+      cannot_read(name_, fmt::format("{}: an edge to {} leads nowhere: so far there are {} nodes",
+                                     lines.name(), quoted_ascii(word.text), nodes_.size()));
     }
     return *value > 0 ? *value : std::ssize(nodes_) + 1 + *value;
   }
@@ -119,9 +119,10 @@ class Reader {
   void check(const Ends& e) const {
     for (const std::int64_t end : {e.from, e.to}) {
       if (end >= 1 && end <= std::ssize(nodes_)) continue;
-      cannot_read(name_, e.line + ": the edge from node " + std::to_string(e.from) + " to node " +
-                             std::to_string(e.to) + " leads nowhere: there are " +
-                             std::to_string(nodes_.size()) + " nodes, counted from 1");
+      cannot_read(name_,
+                  fmt::format("{}: the edge from node {} to node {} leads nowhere: there are {} "
+                              "nodes, counted from 1",
+                              e.line, e.from, e.to, nodes_.size()));
     }
     if (e.from == e.to) {
       cannot_read(name_,
@@ -130,7 +131,7 @@ class Reader {
   }
 
   DeformationGraph graph() {
-    std::map<std::pair<int, int>, std::string> edges;  // and the line of each
+    std::map<std::pair<int, int>, std::string> edges;  // with the line of each
     for (const Ends& e : ends_) {
       check(e);
       const auto [lo, hi] = std::minmax({static_cast<int>(e.from), static_cast<int>(e.to)});
@@ -158,7 +159,7 @@ class Reader {
   std::string name_;
   std::vector<Node> nodes_;
   std::vector<Ends> ends_;
-  std::map<std::tuple<double, double, double>, std::size_t> places_;  // and the number of the node
+  std::map<std::tuple<double, double, double>, std::size_t> places_;  // with the node's number
 };
 
 }  // namespace

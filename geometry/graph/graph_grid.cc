@@ -15,14 +15,14 @@
 namespace deformlab {
 namespace {
 
-constexpr double kLongestCell = 2;  // times its width
+constexpr double kLongestCell = 2;  // length over width
 
 struct Cells {
-  int a, b;      // along the longest side of the box, and the next
+  int a, b;      // their numbers along the longest side of the box and along the next
   double shape;  // length over width of a cell, at least 1
 };
 
-// m as the product a·b that makes the cells of a w×h rectangle most square.
+// The factors a·b = m that make the cells of a w×h rectangle most square.
 Cells divide(double w, double h, int m) {
   Cells best{m, 1, HUGE_VAL};
   for (int b = 1; b <= m / b; ++b) {
@@ -40,9 +40,8 @@ std::string text_of(const Cells& cells) {
   return fmt::format("{} ({} × {})", cells.a * cells.b, cells.a, cells.b);
 }
 
-// "198 (18 × 11)" and "209 (19 × 11)", the next counts below and above m that make good cells,
-// with " or " between them. Where even a single row of good cells has more than the shape has
-// vertices there is none.
+// The next counts below and above m that make good cells: "198 (18 × 11) or 209 (19 × 11)". Empty
+// where even a single row of good cells has more cells than the shape has vertices.
 std::string next_counts(double w, double h, int m, Eigen::Index most) {
   std::string text;
   for (const int step : {-1, 1}) {
@@ -78,7 +77,7 @@ Cells checked_cells(double w, double h, int m, Eigen::Index vertices) {
       fmt::format(", a grid finer than the shape's {} vertices{}; use fewer nodes", vertices, why));
 }
 
-// The rows of V: the longest side of the bounding box first, then the next.
+// The axes in the order of the sides of the bounding box, the longest first.
 std::array<int, 3> by_extent(const Eigen::Vector3d& extent) {
   std::array<int, 3> axes{0, 1, 2};
   std::stable_sort(axes.begin(), axes.end(), [&](int r, int s) { return extent[r] > extent[s]; });

@@ -11,7 +11,7 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-// The vertices that triangles use, ascending, each once.
+// The vertices of the triangles in ascending order, each once.
 std::vector<int> used_vertices(const Eigen::Matrix3Xi& T) {
   std::vector<int> used(T.data(), T.data() + T.size());
   std::sort(used.begin(), used.end());

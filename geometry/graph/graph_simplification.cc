@@ -28,7 +28,7 @@ Eigen::Vector3d vector(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 bool is_on_border(const Mesh& mesh, Mesh::Vertex_index v) { return mesh.is_border(v, true); }
 
-// The end of an edge that it may collapse into, if any.
+// The end into which an edge may collapse, if there is one.
 class EndPlacement {
  public:
   explicit EndPlacement(double max_aspect_ratio) : max_(max_aspect_ratio) {}
@@ -36,7 +36,7 @@ class EndPlacement {
   boost::optional<Point> operator()(const Profile& edge) const {
     const Mesh& mesh = edge.surface_mesh();
     const bool keep0 = is_on_border(mesh, edge.v0()), keep1 = is_on_border(mesh, edge.v1());
-    // What leaves the border would make the surface smaller.
+    // A border vertex that leaves the border would make the surface smaller.
     const double worst0 = keep1 && !keep0 ? kInfinity : worst_after(edge, edge.v1(), edge.v0());
     const double worst1 = keep0 && !keep1 ? kInfinity : worst_after(edge, edge.v0(), edge.v1());
     if (std::min(worst0, worst1) == kInfinity) return {};
@@ -44,14 +44,14 @@ class EndPlacement {
   }
 
  private:
-  // The greatest aspect ratio among the triangles that move with `from` to the place of `to`, or
+  // The greatest aspect ratio among the triangles that change when `from` moves to `to`, or
   // infinity where that is not allowed.
   double worst_after(const Profile& edge, Mesh::Vertex_index from, Mesh::Vertex_index to) const {
-    const auto& star = edge.triangles();  // first those that vanish
+    const auto& star = edge.triangles();  // the first of them vanish
     const std::size_t vanishing = edge.left_face_exists() + edge.right_face_exists();
     double before = max_, after = 1;
     for (std::size_t t = vanishing; t < star.size(); ++t) {
-      if (star[t].v1 != from) continue;  // v1 is the corner that is placed
+      if (star[t].v1 != from) continue;  // v1 is the corner that moves
       const Mesh& mesh = edge.surface_mesh();
       const Eigen::Vector3d a = vector(mesh.point(star[t].v0)), c = vector(mesh.point(star[t].v2));
       const Eigen::Vector3d p = vector(mesh.point(from)), q = vector(mesh.point(to));
@@ -73,7 +73,7 @@ struct StopAtVertices {
   }
 };
 
-// Keeps the vertex of the shape that each of the mesh has the place of.
+// Keeps, for each vertex of the mesh, the vertex of the shape at whose position it is.
 struct Origins : sms::Edge_collapse_visitor_base<Mesh> {
   explicit Origins(std::vector<int>& of_each) : origin(&of_each) {}
 
@@ -81,7 +81,7 @@ struct Origins : sms::Edge_collapse_visitor_base<Mesh> {
     if (place) kept = (*origin)[*place == edge.p0() ? edge.v0() : edge.v1()];
   }
   void OnCollapsed(const Profile&, Mesh::Vertex_index v) {
-    if (kept) (*origin)[v] = *kept;  // else an edge of no length, at whose ends all is the same
+    if (kept) (*origin)[v] = *kept;  // otherwise the edge has no length, and its ends are alike
     kept.reset();
   }
 

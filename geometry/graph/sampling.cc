@@ -19,7 +19,7 @@
 namespace deformlab {
 namespace {
 
-constexpr int kDensity = 30;  // dense points for each node that was asked for
+constexpr int kDensity = 30;  // dense points per node
 constexpr int kFewestDense = 10000;
 constexpr int kMostPasses = 100;  // of the search for the radius
 
@@ -33,19 +33,19 @@ Eigen::VectorXd areas(const Shape& shape, const Eigen::Matrix3Xi& T) {
   return result;
 }
 
-// Points in an order that is coherent in space where it may be, and which of them was drawn first,
-// second, …
+// Points in an order that is coherent in space where possible; drawn[i] is the index of the point
+// that was drawn as the i-th.
 struct Dense {
   Eigen::Matrix3Xd points;
   std::vector<int> drawn;
 };
 
 struct Draw {
-  double triangle, root, along;  // uniform numbers, and the square root of one
+  double triangle, root, along;  // uniform numbers; root is the square root of one
   int number;
 };
 
-// As std::discrete_distribution does, draws nothing for a choice of one.
+// Draws no number for the choice among one triangle, like std::discrete_distribution.
 std::vector<Draw> draws(int count, bool one_triangle, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
@@ -58,9 +58,10 @@ std::vector<Draw> draws(int count, bool one_triangle, std::uint64_t seed) {
   return result;
 }
 
-// Uniform over the area: the points that std::discrete_distribution would draw, but in the order of
-// their triangles, whose shares are then summed up once. (CGAL's generator draws its barycentric
-// coordinates from a global source, so that a seed would not be enough to repeat a run.)
+// Points that are uniform over the area. They are those that std::discrete_distribution would draw,
+// but in the order of their triangles, so that the shares of the triangles are summed once. CGAL's
+// generator is not used, because it draws barycentric coordinates from a global source, and a seed
+// would not suffice to repeat a run.
 Dense points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi& T,
                           const Eigen::VectorXd& area, int count, std::uint64_t seed) {
   std::vector<Draw> all = draws(count, T.cols() == 1, seed);
@@ -69,7 +70,7 @@ Dense points_on_triangles(const Shape& shape, const Eigen::Matrix3Xi& T,
   const double surface = std::accumulate(area.begin(), area.end(), 0.0);
   Dense dense{Eigen::Matrix3Xd(3, count), std::vector<int>(count)};
   Eigen::Index at = 0;
-  double share = area[0] / surface;  // of all triangles up to that one
+  double share = area[0] / surface;  // of all triangles up to `at`
   for (int i = 0; i < count; ++i) {
     const auto& [triangle, root, along, number] = all[i];
     while (share < triangle && at + 1 < T.cols()) share += area[++at] / surface;
@@ -87,7 +88,7 @@ Dense own_points(const Shape& shape) {
   return dense;
 }
 
-// Points taken in a random order, each removing all others within radius r.
+// Takes points in a random order; each point that is taken removes all others within radius r.
 class Elimination {
  public:
   Elimination(const Dense& dense, std::uint64_t seed)
@@ -96,7 +97,7 @@ class Elimination {
     std::shuffle(order_.begin(), order_.end(), random);
   }
 
-  // Squared distances, compared strictly: the least positive number still removes copies.
+  // Squared distances are compared strictly, so that a tiny positive radius still removes copies.
   std::vector<int> remaining(double r) {
     const double reach = std::max(r * r, std::numeric_limits<double>::min());
     if (neighbors_.size() > kMostNeighbors * order_.size()) forget();
@@ -123,12 +124,12 @@ class Elimination {
     double distance;  // squared
     int index;
   };
-  // Some of all neighbors: those of one point, nearer than `reach`.
+  // The neighbors of one point that are nearer than `reach`: a range of neighbors_.
   struct Ball {
     double reach = 0;
     std::size_t begin = 0, end = 0;
   };
-  // What nanoflann asks of a set that it fills.
+  // The interface of nanoflann to a set of results.
   struct Collector {
     double reach;
     std::vector<Neighbor>& found;
@@ -140,8 +141,8 @@ class Elimination {
     }
   };
 
-  // At least those nearer than `reach`. The passes have nearly the same radius and keep nearly the
-  // same points, so that most balls are there already.
+  // All points that are nearer than `reach`, and possibly some more. The passes have nearly the
+  // same radius and keep nearly the same points, so that most balls are known from earlier passes.
   std::span<const Neighbor> neighbors(int i, double reach) {
     Ball& ball = balls_[i];
     if (ball.reach < reach) {
@@ -169,7 +170,7 @@ Eigen::Matrix3Xd pick(const Eigen::Matrix3Xd& points, const std::vector<int>& in
   return points(Eigen::all, indices);
 }
 
-// Drops the points that crowd their nearest neighbour most until m remain.
+// Removes the points that are closest to a neighbour until m remain.
 void thin_out(Eigen::Matrix3Xd& g, int m) {
   std::vector<int> kept(g.cols());
   std::iota(kept.begin(), kept.end(), 0);
@@ -195,11 +196,11 @@ std::vector<int> all_distinct(Elimination& elimination, int m) {
                                 distinct.size(), distinct.size() == 1 ? "" : "s"));
 }
 
-// Searches the radius at which m points remain. Their number falls about as r⁻² on a surface; that
-// guess is taken while it stays within the bracket, which is halved otherwise.
+// Searches the radius at which m points remain. On a surface, their number falls about as r⁻². The
+// guess by this rule is taken while it stays within the bracket; otherwise the bracket is halved.
 Eigen::Matrix3Xd eliminate_to(const Dense& dense, int m, double guess, std::uint64_t seed) {
   Elimination elimination(dense, seed);
-  std::vector<int> best;  // at least m
+  std::vector<int> best;  // the fewest points that are at least m
   double low = 0, high = std::numeric_limits<double>::infinity(), r = guess;
   for (int pass = 0; pass < kMostPasses && static_cast<int>(best.size()) != m; ++pass) {
     auto kept = elimination.remaining(r);

@@ -13,7 +13,7 @@
 namespace deformlab {
 namespace {
 
-// With the k that is usual known when this is compiled.
+// A blend whose k is the usual one, known at compile time.
 struct UsualBlend : Blend {
   static constexpr std::ptrdiff_t k = 4;
 };
@@ -27,15 +27,16 @@ DEFORMLAB_INLINE void with_usual(const Blend& b, const Action& action) {
   }
 }
 
-constexpr std::ptrdiff_t kAhead = 32;  // vertices, blended while a matrix comes from memory
+constexpr std::ptrdiff_t kAhead = 32;  // vertices that are blended while a matrix is fetched
 
-// A matrix that was not needed for long is needed first for the last node of a vertex.
+// Fetches the matrix of the farthest node of a later vertex. A node that comes into use is first
+// the farthest node of a vertex.
 DEFORMLAB_INLINE void look_ahead(const auto& b, std::ptrdiff_t i) {
   const std::ptrdiff_t later = std::min(i + kAhead, b.n - 1);
   __builtin_prefetch(&b.M[b.nodes[b.k * (later + 1) - 1]]);
 }
 
-// Adds w M (v, 1); with three `columns` w M (v, 0).
+// Adds w M (v, 1) to the sum, or w M (v, 0) where `columns` is 3.
 template <int columns>
 DEFORMLAB_INLINE void add(const Columns& M, double w, const double* v, SimdBlock& sum) {
   const double* m = M.numbers;
@@ -46,7 +47,7 @@ DEFORMLAB_INLINE void add(const Columns& M, double w, const double* v, SimdBlock
   sum += w * there;
 }
 
-// Takes as long as its loads, so that two nodes' numbers come with one.
+// The time goes into loads. One load therefore brings the indices of two nodes.
 template <int columns>
 DEFORMLAB_INLINE void blend(const auto& b, std::ptrdiff_t i, SimdBlock& sum) {
   look_ahead(b, i);
@@ -79,13 +80,13 @@ DEFORMLAB_INLINE void points(const auto& b, std::ptrdiff_t begin, std::ptrdiff_t
   }
 }
 
-// Directions that are not unit yet, and the squares of their lengths.
+// Four directions before they are normalised, and their squared lengths.
 struct Raw {
   SimdBlock sums[4];
   SimdBlock squares;
 };
 
-// The squares of the lengths of four.
+// The squared lengths of four vectors.
 DEFORMLAB_INLINE void square(const SimdBlock& p, const SimdBlock& q, const SimdBlock& r,
                              const SimdBlock& s, SimdBlock& squares) {
   const SimdBlock pq_xz = __builtin_shufflevector(p, q, 0, 4, 2, 6);
@@ -98,9 +99,9 @@ DEFORMLAB_INLINE void square(const SimdBlock& p, const SimdBlock& q, const SimdB
   squares = x * x + y * y + z * z;
 }
 
-// Of `count` vertices from i on, the last one standing for the rest of the four.
+// Blends `count` ≤ 4 vertices from i on; the last of them fills the rest of the four.
 DEFORMLAB_INLINE void blend_four(const auto& b, std::ptrdiff_t i, int count, Raw& raw) {
-  SimdBlock p, q, r, s;  // by name, so that they stay in registers
+  SimdBlock p, q, r, s;  // variables instead of an array, so that they stay in registers
   blend<3>(b, i, p);
   blend<3>(b, i + std::min(1, count - 1), q);
   blend<3>(b, i + std::min(2, count - 1), r);
@@ -121,7 +122,7 @@ DEFORMLAB_INLINE void store_unit(const auto& b, std::ptrdiff_t i, int count, con
   }
 }
 
-// Roots and quotients of four at once, while the next four are blended.
+// Computes roots and quotients of four directions at once while the next four are blended.
 DEFORMLAB_INLINE void directions(const auto& b, std::ptrdiff_t begin, std::ptrdiff_t end,
                                  double* result) {
   const std::ptrdiff_t full = begin + (end - begin) / 4 * 4;

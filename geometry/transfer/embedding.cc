@@ -34,7 +34,8 @@ Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   Eigen::VectorXi found(k + 1);
   for (int i = 0; i < n; ++i) {
     nearest_nodes.find(v.col(i), found.data(), distances.data());
-    if (nearest == k) distances[k] = 2 * distances[0] + 1;  // the only node: any d_max gives 1
+    if (nearest == k)
+      distances[k] = 2 * distances[0] + 1;  // a single node has weight 1 for any d_max
     weigh(distances, k);
     result.nodes.col(i) = found.head(k);
     result.weights.col(i) = distances.head(k);

@@ -26,7 +26,7 @@ constexpr const char* kWish = "distance: geodesic";
                     "them, or take distance: edge_paths");
 }
 
-// The triangles of each part, those of the others being of no interest.
+// The triangles of each connected part.
 std::vector<Eigen::Matrix3Xi> triangles_by_part(const Shape& shape, const std::vector<int>& part) {
   const Eigen::Matrix3Xi T = triangles(shape);
   std::vector<std::vector<Eigen::Index>> columns(shape.V.cols());
@@ -36,11 +36,11 @@ std::vector<Eigen::Matrix3Xi> triangles_by_part(const Shape& shape, const std::v
   return result;
 }
 
-// The heat method on one connected part, factored once.
+// The heat method on one connected part, whose matrices are factored once.
 class HeatMethod {
  public:
-  // Not on intrinsic Delaunay triangulations, as CGAL also offers: where many points lie on one
-  // circle, which the lid of any can does, it flips their edges for ever.
+  // CGAL also offers the method on intrinsic Delaunay triangulations. It is not used, because it
+  // flips edges for ever where many points lie on one circle, as on the lid of a can.
   using Solver = CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh>;
 
   HeatMethod(const Shape& shape, const Eigen::Matrix3Xi& T)
@@ -48,7 +48,7 @@ class HeatMethod {
         solver_(part_.mesh),
         d_(part_.mesh.add_property_map<Mesh::Vertex_index, double>("distance").first) {}
 
-  // From a vertex of the part; writes the entries of all others.
+  // Writes the distances of all vertices of the part from one of them.
   void measure(const Shape& shape, int source, Eigen::VectorXd& d) {
     const auto at = std::lower_bound(part_.vertices.begin(), part_.vertices.end(), source);
     solver_.clear_sources();
@@ -64,7 +64,7 @@ class HeatMethod {
   void forget(Eigen::VectorXd& d) const { d(part_.vertices).setConstant(kInfinity); }
 
  private:
-  MeshPart part_;  // stays where it is: the solver refers to it
+  MeshPart part_;  // must not move, because the solver refers to it
   Solver solver_;
   Mesh::Property_map<Mesh::Vertex_index, double> d_;
 };
@@ -73,17 +73,17 @@ std::unique_ptr<HeatMethod> make_heat_method(const Shape& shape, const Eigen::Ma
   for (const auto t : T.colwise()) {
     const Eigen::Vector3d u = shape.V.col(t[1]) - shape.V.col(t[0]);
     if (u.cross(Eigen::Vector3d(shape.V.col(t[2]) - shape.V.col(t[0]))).norm() == 0) {
-      reject_thin_triangles();  // CGAL asserts that there is none
+      reject_thin_triangles();  // which CGAL would answer by an assertion
     }
   }
   try {
     return std::make_unique<HeatMethod>(shape, T);
-  } catch (const CGAL::Failure_exception&) {  // of a factorization
+  } catch (const CGAL::Failure_exception&) {  // a factorization failed
     reject_thin_triangles();
   }
 }
 
-// The entry of a source among a vertex's nearest ones, or infinity.
+// The distance of a source that is among a vertex's nearest ones, or infinity.
 double distance_of(const NearestSources& nearest, Eigen::Index vertex, int source) {
   for (int a = 0; a < nearest.found[vertex]; ++a) {
     if (nearest.sources(a, vertex) == source) return nearest.distances(a, vertex);
@@ -126,7 +126,7 @@ void heat_distances(const Shape& shape, std::span<const int> sources,
                     const std::function<void(int s, const Eigen::VectorXd& d)>& visit) {
   const std::vector<int> part = connected_parts(shape);
   const std::vector<Eigen::Matrix3Xi> T = triangles_by_part(shape, part);
-  if (triangles(shape).cols() == 0) manifold_mesh(shape, {}, kWish);  // says what is missing
+  if (triangles(shape).cols() == 0) manifold_mesh(shape, {}, kWish);  // throws
   std::vector<std::unique_ptr<HeatMethod>> methods(T.size());
   Eigen::VectorXd d = Eigen::VectorXd::Constant(shape.V.cols(), kInfinity);
   for (std::size_t s = 0; s < sources.size(); ++s) {

@@ -9,7 +9,7 @@
 namespace deformlab {
 namespace {
 
-// A side of a triangle, and the corner that is opposite.
+// A side of a triangle and the corner opposite to it.
 struct Side {
   int a, b;  // a < b
   int opposite;
@@ -34,8 +34,8 @@ struct Link {
   double length;
 };
 
-// Where a point lies beside the line from p to q, unfolded into a plane: how far along, how far
-// off.
+// The position of a point relative to the line from p to q in the plane of the three: the distance
+// along the line, and the distance from it.
 Eigen::Vector2d unfolded(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                          const Eigen::Vector3d& x) {
   const Eigen::Vector3d along = (q - p).normalized();
@@ -43,8 +43,8 @@ Eigen::Vector2d unfolded(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
   return {t, (x - p - t * along).norm()};
 }
 
-// Appends the straight line between the corners of two triangles opposite to their common side,
-// where it crosses that side.
+// Two triangles with a common side are unfolded into a plane. Appends the straight line between
+// their opposite corners, if it crosses that side.
 void append_across(const Shape& shape, const Side& one, const Side& other,
                    std::vector<Link>& links) {
   const Eigen::Vector3d p = shape.V.col(one.a), q = shape.V.col(one.b);
@@ -71,7 +71,7 @@ std::vector<Link> links_of(const Shape& shape) {
   return links;
 }
 
-// Where one can go from each vertex.
+// The links that start at each vertex.
 class Roads {
  public:
   explicit Roads(const Shape& shape) : first_(shape.V.cols() + 1, 0) {
@@ -99,7 +99,7 @@ class Roads {
   std::vector<Road> roads_;
 };
 
-// A path that has come to a vertex.
+// A path from a source that has reached a vertex.
 struct Arrival {
   double distance;
   int source, vertex;
@@ -117,8 +117,8 @@ bool has(const NearestSources& nearest, int vertex, int source) {
 
 }  // namespace
 
-// A path goes on from a vertex only while its source is among the nearest there: where there are
-// enough nearer ones, they are nearer farther on as well.
+// A path is continued from a vertex only if its source is among the nearest there. Where enough
+// other sources are nearer, they are also nearer at all vertices that the path would reach.
 NearestSources nearest_along_edges(const Shape& shape, std::span<const int> sources, int count) {
   const Roads roads(shape);
   NearestSources nearest(count, shape.V.cols());

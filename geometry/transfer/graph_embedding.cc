@@ -8,7 +8,7 @@
 namespace deformlab {
 namespace {
 
-// The vertices of one group as they are embedded, over the nodes that they may follow.
+// Embeds the vertices of one group over the nodes that they may follow.
 class GroupEmbedding {
  public:
   GroupEmbedding(const Shape& shape, const Eigen::Matrix3Xd& g, const std::vector<int>& nodes,
@@ -22,7 +22,7 @@ class GroupEmbedding {
 
   void in_space() { in_space(vertices_); }
 
-  // By the distances of all vertices to the group's nodes.
+  // Takes the distances of all vertices to the nodes of the group.
   void along_surface(const NearestSources& nearest) {
     std::vector<int> unreached;
     for (const int i : vertices_) {
@@ -46,7 +46,8 @@ class GroupEmbedding {
     }
   }
 
-  // As in `embed`: with fewer than k+1 nodes the farthest gives d_max, and one alone all weight.
+  // As in `embed`, with fewer than k+1 nodes the farthest gives d_max, and a single node has
+  // weight 1.
   void along_surface(const NearestSources& nearest, int i) {
     const int k = std::min(k_, std::max(1, nearest.found[i] - 1));
     Eigen::VectorXd weights = nearest.distances.col(i).head(k + 1);
@@ -55,10 +56,10 @@ class GroupEmbedding {
     store(i, nearest.sources.col(i).head(k), weights.head(k));
   }
 
-  // Fills up the column with the nodes nearest in space that are not in it yet.
+  // Fills the rest of the column with the nodes nearest in space that are not in it yet.
   void store(int i, const Eigen::VectorXi& local, const Eigen::VectorXd& weights) {
     auto nodes = result_.embedding.nodes.col(i);
-    const Eigen::VectorXi nearest = nodes;  // k of them, so at least k − #local are new
+    const Eigen::VectorXi nearest = nodes;  // k nodes, of which at least k − #local are new
     result_.embedding.weights.col(i).setZero();
     result_.embedding.weights.col(i).head(weights.size()) = weights;
     Eigen::Index count = 0;

@@ -8,16 +8,16 @@
 namespace deformlab {
 namespace {
 
-constexpr int kKnown = 6;            // neighbors of a node for each that is sought
-constexpr double kSlack = 1 + 1e-9;  // far above rounding
+constexpr int kKnown = 6;            // known neighbors of a node per node that is sought
+constexpr double kSlack = 1 + 1e-9;  // a factor far above rounding
 
-// As nanoflann rounds it.
+// Sums in the order in which nanoflann does, so that both round alike.
 double square_distance(const Eigen::Vector3d& v, const Eigen::Vector3d& g) {
   const double x = v[0] - g[0], y = v[1] - g[1], z = v[2] - g[2];
   return x * x + y * y + z * z;
 }
 
-// Among those that are sorted, from `at` down; what was there is overwritten.
+// Inserts into sorted arrays at or before index `at`; the entry at this index is overwritten.
 void insert(double square, int node, double* squares, int* nodes, int at) {
   for (; at > 0 && squares[at - 1] > square; --at) {
     squares[at] = squares[at - 1], nodes[at] = nodes[at - 1];
@@ -48,12 +48,12 @@ void NearestNodes::find(const Eigen::Vector3d& v, int* nodes, double* distances)
   last_ = nodes[0];
 }
 
-// A node that is D away from the last point's node is D − |v − g_last| away from v at least. Nodes
-// that are equally far are left to the tree, which has an order for them.
+// A node at distance D from the last point's nearest node is at least D − |v − g_last| away from v.
+// Where nodes are equally far, false is returned, because the tree decides their order.
 bool NearestNodes::find_near(const Eigen::Vector3d& v) {
   const double offset = kSlack * (v - g_.col(last_)).norm();
   const std::vector<Neighbor>& near = neighbors(last_);
-  if (offset > near.back().distance / 2) return false;  // too far for what is known
+  if (offset > near.back().distance / 2) return false;  // more neighbors would have to be known
   double* const squares = squares_.data();
   int found = 0;
   for (const auto& [distance, node] : near) {

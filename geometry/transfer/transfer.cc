@@ -17,7 +17,7 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& R) {
   return C;
 }
 
-// R^{-T} for each node, 3×3m.
+// R_j^{-T} of each node, or its cofactor matrix where R_j has no inverse, 3×3m.
 Eigen::Matrix3Xd inverse_transposes(const Transformations& X) {
   const Eigen::Index m = X.cols() / 4;
   Eigen::Matrix3Xd result(3, 3 * m);
@@ -50,7 +50,8 @@ Eigen::Matrix3Xd transfer_positions(const Transformations& X, const Eigen::Matri
 
 void transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g, const Embedding& e,
                         Eigen::Matrix3Xd& result, int threads) {
-  // R_j (v − g_j) + g_j + t_j = R_j v + s_j: one offset a node instead of a subtraction a vertex.
+  // R_j (v − g_j) + g_j + t_j = R_j v + s_j needs one offset for each node, not one subtraction for
+  // each vertex.
   std::vector<Columns> M(g.cols());
   for (Eigen::Index j = 0; j < g.cols(); ++j) {
     Numbers numbers(M[j].numbers);

@@ -6,6 +6,7 @@
 
 #include "deformers/embedded/embedded_deformation.h"
 #include "experiments/subjects/animation/animate_command.h"
+#include "experiments/subjects/animation/animation_pictures.h"
 #include "experiments/subjects/picture_options.h"
 
 namespace deformlab {
