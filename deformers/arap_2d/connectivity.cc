@@ -137,7 +137,7 @@ std::vector<MeshComponent> components(const Triangulation& mesh) {
 }
 
 Hinges hinges(const Triangulation& mesh, const Eigen::VectorXd& weights) {
-  Sets sets = bodies(mesh);
+  DisjointSets sets = bodies(mesh);
   std::vector<int> at_vertex(mesh.V.cols(), -1);
   std::vector<Eigen::Vector3i> F;
   std::vector<double> w;
