@@ -11,35 +11,42 @@
 
 namespace deformlab {
 
-/// What an update did.
+/// What an update did, and how well.
 struct Report {
   Summary solve;
   int nodes = 0, edges = 0;
-  double min_det_R = 1;    ///< over all nodes, or triangles of a drawing: 1 for rotations, below 0
-                           ///< where space is flipped
-  int inside_out = 0;      ///< of these, with det R < 0
+  /// The least det R over all nodes, or triangles of a drawing: 1 for rotations, below 0 where
+  /// space is flipped.
+  double min_det_R = 1;
+  int inside_out = 0;      ///< how many of them have det R < 0
   double handle_rms = 0;   ///< root mean square distance of the handles to their targets [length]
   double handle_max = 0;   ///< the largest such distance [length]
   double length_unit = 1;  ///< one unit of the solver [length]
-  std::map<std::string, double> seconds;  ///< by phase: registration, compilation, solve, transfer
-  std::vector<std::string> notes;         ///< what a user should know: free parts, handles that
-                                          ///< cannot move, rules that were applied
+  /// How long the phases took, by name [s].
+  std::map<std::string, double> seconds;
+  /// What a user should know, one sentence each: parts without a handle, handles that cannot move,
+  /// rules that were applied.
+  std::vector<std::string> notes;
 };
 
-/// A way to deform a rest shape by handles, in three phases that cost less each: registration of
-/// the shape (the constructor), compilation of a set of handles, update for where they go.
+/// A method that deforms a rest shape by handles. It works in three phases, each of which costs
+/// less than the one before: registration of the rest shape (the constructor), compilation of a set
+/// of handles, and update of the handles' targets.
 class Deformer {
  public:
   virtual ~Deformer() = default;
-  /// Handles are added or removed. Throws InputError for a vertex that does not exist, is both
-  /// fixed and moved or is moved twice, and for a place that is not finite.
+  /// Compilation: handles are added or removed. Throws InputError for a vertex that does not exist,
+  /// is both fixed and moved or is moved twice, and for a point that is not finite. The deformer is
+  /// then as it was before.
   virtual void compile(const Handles& handles) = 0;
-  /// Handles move: 3×#moved targets [length]. Starts from where the last update ended.
-  /// Throws InputError for another number of targets, or one that is not finite.
+  /// Update: the moved handles go to their targets, first those of `moved`, then those of `points`
+  /// (3×#targets) [length]. It starts from the result of the last update. Throws InputError for
+  /// another number of targets, or for one that is not finite. Where the deformation fails
+  /// numerically, the report says so and the shape stays as the last update left it.
   virtual Report update(const Eigen::Matrix3Xd& targets) = 0;
-  /// The shape as the last update left it.
+  /// The result of the last update.
   virtual const Shape& deformed() const = 0;
-  /// Back to the rest shape; the handles stay.
+  /// Returns to the rest shape. The handles stay.
   virtual void reset() = 0;
 };
 

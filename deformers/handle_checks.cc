@@ -1,10 +1,10 @@
 #include "deformers/handle_checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
-#include <string>
 
 #include "geometry/core/error.h"
 
@@ -14,8 +14,8 @@ namespace {
 void check_vertices(const std::vector<int>& indices, Eigen::Index count) {
   for (const int i : indices) {
     if (i >= 0 && i < count) continue;
-    throw InputError("handle at vertex " + std::to_string(i) +
-                     "; the shape has the vertices 0 to " + std::to_string(count - 1));
+    throw InputError(
+        fmt::format("handle at vertex {}; the shape has the vertices 0 to {}", i, count - 1));
   }
 }
 
@@ -26,21 +26,20 @@ void check_once(std::vector<int> fixed, std::vector<int> moved) {
   std::set_intersection(fixed.begin(), fixed.end(), moved.begin(), moved.end(),
                         std::back_inserter(both));
   if (!both.empty()) {
-    throw InputError("vertex " + std::to_string(both.front()) +
-                     " is both fixed and moved; leave it out of one");
+    throw InputError(
+        fmt::format("vertex {} is both fixed and moved; leave it out of one", both.front()));
   }
   const auto twice = std::adjacent_find(moved.begin(), moved.end());
   if (twice == moved.end()) return;
-  throw InputError("vertex " + std::to_string(*twice) + " is moved twice; name it once");
+  throw InputError(fmt::format("vertex {} is moved twice; name it once", *twice));
 }
 
-void check_finite(const Eigen::Matrix3Xd& columns, const std::string& what) {
+void check_finite(const Eigen::Matrix3Xd& columns, const char* what) {
   for (Eigen::Index l = 0; l < columns.cols(); ++l) {
     if (columns.col(l).allFinite()) continue;
-    std::ostringstream message;
-    message << what << " " << l << " (counted from 0) is (" << columns.col(l).transpose()
-            << "), which is not finite";
-    throw InputError(message.str());
+    throw InputError(
+        fmt::format("{} {} (counted from 0) is ({:.6g}, {:.6g}, {:.6g}), which is not finite", what,
+                    l, columns(0, l), columns(1, l), columns(2, l)));
   }
 }
 
@@ -55,8 +54,8 @@ void check_handles(const Handles& handles, Eigen::Index vertices) {
 
 void check_targets(const Eigen::Matrix3Xd& targets, Eigen::Index count) {
   if (targets.cols() != count) {
-    throw InputError(std::to_string(targets.cols()) + " targets for " + std::to_string(count) +
-                     " handles; one for each is needed");
+    throw InputError(
+        fmt::format("{} targets for {} handles; one for each is needed", targets.cols(), count));
   }
   check_finite(targets, "target");
 }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "deformers/embedded/embedded_deformation.h"
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -17,16 +17,6 @@ EmbeddedDeformationOptions with_nodes(int nodes) {
   EmbeddedDeformationOptions options;
   options.graph.nodes = nodes;
   return options;
-}
-
-template <class Action>
-std::string error_of(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 class BadInput : public ::testing::Test {
@@ -116,7 +106,8 @@ TEST_F(BadInput, OptionsOutOfRange) {
               HasSubstr("transfer_threads is 0; allowed: 1 to 1024"));
 }
 
-/// Lifts every tenth vertex; what comes out is finite and its vertices are in place and number.
+/// Lifts every tenth vertex. Expects a finite shape with the same numbers of vertices and normals
+/// and the same faces.
 Report lift(const Shape& shape, const EmbeddedDeformationOptions& options) {
   EmbeddedDeformation deformer(shape, options);
   Handles handles;
@@ -155,7 +146,7 @@ TEST(AnyShape, CoincidentPoints) {
   lift(points, with_nodes(20));
 }
 
-TEST(AnyShape, AllPointsInOnePlaceOrOnALine) {
+TEST(AnyShape, AllPointsAtOnePositionOrOnALine) {
   const Shape one{Eigen::Matrix3Xd::Ones(3, 10), Eigen::Matrix3Xd(3, 0), {}};
   lift(one, with_nodes(1));
   Shape line = point_set(50);

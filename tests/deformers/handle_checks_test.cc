@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab::test {
 namespace {
@@ -15,24 +15,14 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string refused(const Handles& handles) {
-  try {
-    check_handles(handles, 10);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { check_handles(handles, 10); });
 }
 
 std::string refused(const Eigen::Matrix3Xd& targets, Eigen::Index count) {
-  try {
-    check_targets(targets, count);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { check_targets(targets, count); });
 }
 
-TEST(HandleChecks, AVertexIsThereAndOnOneSideOnly) {
+TEST(HandleChecks, AVertexExistsAndIsEitherFixedOrMoved) {
   EXPECT_EQ(refused({{0, 1, 1}, {9, 8}}), "");
   EXPECT_EQ(refused(Handles()), "");
   for (const int i : {-1, 10}) {
@@ -45,7 +35,7 @@ TEST(HandleChecks, AVertexIsThereAndOnOneSideOnly) {
   EXPECT_THAT(refused({{}, {7, 3, 7}}), HasSubstr("vertex 7 is moved twice"));
 }
 
-TEST(HandleChecks, APlaceIsFinite) {
+TEST(HandleChecks, AHandlePointIsFinite) {
   Handles handles;
   handles.points = Eigen::Matrix3Xd::Zero(3, 2);
   EXPECT_EQ(refused(handles), "");
@@ -54,7 +44,7 @@ TEST(HandleChecks, APlaceIsFinite) {
   EXPECT_THAT(refused(handles), HasSubstr("not finite"));
 }
 
-TEST(HandleChecks, OneFiniteTargetAHandle) {
+TEST(HandleChecks, EachHandleHasOneFiniteTarget) {
   Eigen::Matrix3Xd targets = Eigen::Matrix3Xd::Zero(3, 2);
   EXPECT_EQ(refused(targets, 2), "");
   EXPECT_THAT(refused(targets, 3), HasSubstr("2 targets for 3 handles"));

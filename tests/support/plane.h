@@ -31,7 +31,7 @@ inline Eigen::Matrix2Xd circle(const Eigen::Vector2d& center, double radius, int
   return result;
 }
 
-/// `points` outer corners at radius 100, inner ones at `inner`.
+/// A star with `points` outer corners at radius 100 and as many inner ones at radius `inner`.
 inline Eigen::Matrix2Xd star(int points, double inner) {
   Eigen::Matrix2Xd result = circle({0, 0}, 100, 2 * points);
   for (int i = 1; i < 2 * points; i += 2) result.col(i) *= inner / 100;
@@ -69,13 +69,13 @@ inline Triangulation sheet(int columns, int rows, double edge = 1) {
   return mesh;
 }
 
-/// A deformed mesh.
+/// A mesh at rest and its deformed vertices (2×#V).
 struct Deformed {
   Triangulation rest;
   Eigen::Matrix2Xd V;
 };
 
-/// A closed band that winds around twice: once along it, its sheets have changed places.
+/// A closed band that winds around twice. Once around, its two sheets have changed sides.
 inline Deformed twisted_band(int steps) {
   Deformed band{{Eigen::Matrix2Xd(2, 3 * steps), Eigen::Matrix3Xi(3, 4 * steps)},
                 Eigen::Matrix2Xd(2, 3 * steps)};
@@ -95,7 +95,7 @@ inline Deformed twisted_band(int steps) {
   return band;
 }
 
-/// The vertices, each moved by something in ±size.
+/// The vertices (2×#V), each coordinate of which is moved by a random number in ±size.
 inline Eigen::Matrix2Xd shaken(Eigen::Matrix2Xd V, double size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> offset(-size, size);
