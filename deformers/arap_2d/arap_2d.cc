@@ -1,10 +1,11 @@
 #include "deformers/arap_2d/arap_2d.h"
 
-#include <limits>
-#include <sstream>
+#include <fmt/format.h>
 
-#include "deformers/arap_2d/staged_steps.h"
-#include "deformers/arap_2d/two_step.h"
+#include <limits>
+
+#include "deformers/arap_2d/closed_form_steps.h"
+#include "deformers/arap_2d/general_steps.h"
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/deformation_graph.h"
@@ -13,23 +14,24 @@
 namespace deformlab {
 namespace {
 
-constexpr double kOutside = 1e-9;    // of the extent: rounding
-constexpr double kAtCorner = 1e-12;  // barycentric coordinates below it are 0
+// A point this far outside still counts as inside, because of rounding [extent of the shape].
+constexpr double kOutside = 1e-9;
+constexpr double kAtCorner = 1e-12;  // smaller barycentric coordinates count as 0
 
 std::unique_ptr<TwoStepSolver> make_steps(const Triangulation& rest, const Eigen::VectorXd& weights,
                                           const Arap2dOptions& options) {
   check_options(options);
   const Eigen::VectorXd stiffness =
       weights.size() > 0 ? weights : Eigen::VectorXd::Ones(rest.F.cols());
-  if (options.steps == TwoStepMethod::kStages) {
+  if (options.steps == TwoStepMethod::kGeneralSolver) {
     return inside_option("solver", [&]() -> std::unique_ptr<TwoStepSolver> {
-      return std::make_unique<StagedSteps>(rest, stiffness, options.refinements, options.solver);
+      return std::make_unique<GeneralSteps>(rest, stiffness, options.refinements, options.solver);
     });
   }
-  return std::make_unique<TwoStep>(rest, stiffness, options.refinements);
+  return std::make_unique<ClosedFormSteps>(rest, stiffness, options.refinements);
 }
 
-double det(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {
+double twice_signed_area(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {
   const Eigen::Vector2d a = V.col(f[1]) - V.col(f[0]), b = V.col(f[2]) - V.col(f[0]);
   return a.x() * b.y() - a.y() * b.x();
 }
@@ -44,15 +46,14 @@ Arap2d::Arap2d(const Triangulation& rest, const Eigen::VectorXd& weights,
   steps_->compile({});
 }
 
-BarycentricPoint Arap2d::place_at(const Eigen::Vector2d& point) const {
+BarycentricPoint Arap2d::locate_inside(const Eigen::Vector2d& point) const {
   const Located located = locate_(point);
   const double extent = (rest_.V.rowwise().maxCoeff() - rest_.V.rowwise().minCoeff()).norm();
   if (!(located.distance <= kOutside * extent)) {
-    std::ostringstream text;
-    text << "the handle at (" << point.x() << ", " << point.y()
-         << ") is outside the shape; the nearest place inside is (" << located.nearest.x() << ", "
-         << located.nearest.y() << ")";
-    throw InputError(text.str());
+    throw InputError(fmt::format(
+        "the handle at ({:.6g}, {:.6g}) is outside the shape; the nearest point inside is ({:.6g}, "
+        "{:.6g})",
+        point.x(), point.y(), located.nearest.x(), located.nearest.y()));
   }
   const Eigen::Vector3i f = rest_.F.col(located.triangle);
   const Eigen::Vector3d b = (located.b.array() < kAtCorner).select(0, located.b);
@@ -66,15 +67,15 @@ void Arap2d::compile(const Handles& handles) {
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
   check_handles(handles, rest_.V.cols());
-  std::vector<BarycentricPoint> places;
+  std::vector<BarycentricPoint> points;
   for (const auto* vertices : {&handles.fixed, &handles.moved}) {
-    for (const int v : *vertices) places.push_back(BarycentricPoint::at_vertex(v));
+    for (const int v : *vertices) points.push_back(BarycentricPoint::at_vertex(v));
   }
-  for (const auto point : handles.points.colwise()) places.push_back(place_at(point.head<2>()));
-  steps_->compile(places);
-  places_ = std::move(places);
+  for (const auto p : handles.points.colwise()) points.push_back(locate_inside(p.head<2>()));
+  steps_->compile(points);
+  points_ = std::move(points);
   fixed_ = std::ssize(handles.fixed);
-  targets_.resize(2, std::ssize(places_));
+  targets_.resize(2, std::ssize(points_));
   targets_.leftCols(fixed_) = rest_.V(Eigen::all, handles.fixed);
 }
 
@@ -83,18 +84,17 @@ void Arap2d::reset() {
   deformed_.V.topRows<2>() = rest_.V;
 }
 
-// Of the map from each triangle at rest to where it is now.
 void Arap2d::measure_triangles(Report& report) const {
   report.min_det_R = std::numeric_limits<double>::infinity();
   for (const auto f : rest_.F.colwise()) {
-    const double change = det(steps_->positions(), f) / det(rest_.V, f);
+    const double change = twice_signed_area(steps_->positions(), f) / twice_signed_area(rest_.V, f);
     report.min_det_R = std::min(report.min_det_R, change);
     report.inside_out += change < 0;
   }
 }
 
 Report Arap2d::update(const Eigen::Matrix3Xd& targets) {
-  check_targets(targets, std::ssize(places_) - fixed_);
+  check_targets(targets, std::ssize(points_) - fixed_);
   targets_.rightCols(targets.cols()) = targets.topRows<2>();
   Report report;
   {
@@ -113,7 +113,7 @@ Report Arap2d::update(const Eigen::Matrix3Xd& targets) {
   measure_triangles(report);
   Eigen::Matrix3Xd reached = targets;
   for (Eigen::Index l = 0; l < targets.cols(); ++l) {
-    reached.col(l).head<2>() = places_[fixed_ + l].at(V);
+    reached.col(l).head<2>() = points_[fixed_ + l].at(V);
   }
   measure_handles(reached, targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());

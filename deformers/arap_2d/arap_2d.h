@@ -12,14 +12,14 @@
 
 namespace deformlab {
 
-/// How the two steps are computed. closed_form: all that does not depend on the targets is computed
-/// before (TwoStep). stages: the same two steps are minimised by a general solver (StagedSteps), to
-/// compare with.
-enum class TwoStepMethod { kClosedForm, kStages };
+/// How the two steps are computed. kClosedForm: all that does not depend on the targets is computed
+/// before (ClosedFormSteps). kGeneralSolver: the same two steps are minimised by a general solver
+/// (GeneralSteps), to compare with.
+enum class TwoStepMethod { kClosedForm, kGeneralSolver };
 constexpr auto names_of(TwoStepMethod) {
   using enum TwoStepMethod;
   return std::to_array<EnumName<TwoStepMethod>>(
-      {{kClosedForm, "closed_form"}, {kStages, "stages"}});
+      {{kClosedForm, "closed_form"}, {kGeneralSolver, "stages"}});
 }
 
 /// The options of as-rigid-as-possible manipulation of drawings.
@@ -28,7 +28,8 @@ struct Arap2dOptions {
   /// How often step two is repeated with rotations that are fitted to its own result. The paper
   /// does not repeat it; many repetitions come to the minimum of the as-rigid-as-possible energy.
   int refinements = 0;
-  /// Of `stages`. Ceres' dogleg begins with a full step, which solves a linear problem at once.
+  /// Of kGeneralSolver. Ceres' dogleg begins with a full step, which solves a linear problem at
+  /// once.
   SolverOptions solver = {.ceres_trust_region = CeresTrustRegion::kDogleg, .epsilon = 1e-14};
 
   template <class Self, class Visit>
@@ -45,38 +46,42 @@ struct Arap2dOptions {
 };
 
 /// As-Rigid-As-Possible Shape Manipulation (Igarashi, Moscovich and Hughes 2005) of a triangulation
-/// in the plane. Without a handle it stays at rest, one handle moves it without turning it, two or
-/// more deform it; so it is for each part of a mesh that is not connected. z is 0 throughout.
+/// in the plane. Each connected component of the mesh stays at rest without a handle, is translated
+/// by one handle, and is deformed by two or more. The coordinate z is always 0.
 class Arap2d final : public Deformer {
  public:
   /// Registration.
-  ///   weights  stiffness of each triangle (section 5.2), positive; empty: 1
-  /// Throws InputError for a mesh or weights that cannot be deformed, and options out of range.
+  ///   weights  #F, the stiffness of each triangle (section 5.2), positive; or empty for all 1
+  /// Throws InputError for a mesh or weights that the method cannot use (check_rest_mesh), and for
+  /// options out of range.
   Arap2d(const Triangulation& rest, const Eigen::VectorXd& weights, const Arap2dOptions& options);
 
-  /// Handles may be at vertices and anywhere inside; several may share a triangle, as far as its
-  /// three corners can follow them. Throws InputError as Deformer says, and for a place outside.
+  /// Compilation. Handles may be at vertices and at any point inside the shape. Several handles may
+  /// share a triangle; where its three corners cannot follow all of them, they meet their targets
+  /// in the least-squares sense. Throws InputError as Deformer says, and for a point outside the
+  /// shape.
   void compile(const Handles& handles) override;
+  /// Update. Report::min_det_R is over the triangles: the determinant of the map from a triangle at
+  /// rest to the deformed one.
   Report update(const Eigen::Matrix3Xd& targets) override;
   const Shape& deformed() const override { return deformed_; }
   void reset() override;
 
-  /// 2×#V: step one's result in the last update (Figure 3a) [length].
+  /// 2×#V: the result of step one in the last update (Figure 3a) [length].
   Eigen::Matrix2Xd intermediate() const { return steps_->intermediate(); }
-  /// 2×3·#F: corners of the triangles fitted to it (Figure 3b) [length].
+  /// 2×3·#F: the corners of the fitted triangles (Figure 3b) [length].
   Eigen::Matrix2Xd fitted() const { return steps_->fitted(); }
-  const TwoStepSolver& steps() const { return *steps_; }
 
  private:
-  BarycentricPoint place_at(const Eigen::Vector2d& point) const;
+  BarycentricPoint locate_inside(const Eigen::Vector2d& point) const;
   void measure_triangles(Report& report) const;
 
   Triangulation rest_;
   Locator locate_;
   std::unique_ptr<TwoStepSolver> steps_;
-  std::vector<BarycentricPoint> places_;  // fixed vertices, moved ones, then points
-  Eigen::Index fixed_ = 0;
-  Eigen::Matrix2Xd targets_;  // of places_
+  std::vector<BarycentricPoint> points_;  // of the handles: fixed vertices, moved ones, then points
+  Eigen::Index fixed_ = 0;                // how many of them are fixed
+  Eigen::Matrix2Xd targets_;              // 2×#points [length]
   Shape deformed_;
   std::map<std::string, double> seconds_;
 };

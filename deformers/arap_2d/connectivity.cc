@@ -3,67 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "geometry/core/disjoint_sets.h"
-#include "geometry/core/error.h"
-#include "geometry/shape/shape.h"
 
 namespace deformlab {
 namespace {
 
-constexpr double kMostContrast = 1e6;  // of weights: beyond it too few digits are left
-constexpr double kHingeWeight = 1e-3;  // of the lesser weight of the two triangles
+constexpr double kHingeWeight = 1e-3;  // as a share of the lesser weight of the two triangles
 
-std::string named(int f, const Triangulation& mesh) {
-  std::ostringstream text;
-  text << "triangle " << f << " (vertices " << mesh.F(0, f) << ", " << mesh.F(1, f) << ", "
-       << mesh.F(2, f) << ")";
-  return text.str();
-}
-
-void check_vertices(const Triangulation& mesh) {
-  for (Eigen::Index v = 0; v < mesh.V.cols(); ++v) {
-    if (mesh.V.col(v).allFinite() && mesh.V.col(v).cwiseAbs().maxCoeff() <= kMostLength) continue;
-    throw InputError(
-        "vertex " + std::to_string(v) +
-        " of the mesh is not finite, or beyond 1e50; coordinates are numbers within it");
-  }
-}
-
-void check_triangle(int f, const Triangulation& mesh) {
-  const Eigen::Vector3i corners = mesh.F.col(f);
-  if (corners.minCoeff() < 0 || corners.maxCoeff() >= mesh.V.cols()) {
-    throw InputError(named(f, mesh) +
-                     " names a vertex that the mesh does not have; they are 0 to " +
-                     std::to_string(mesh.V.cols() - 1));
-  }
-  for (int c = 0; c < 3; ++c) {
-    const int i = corners[c], j = corners[(c + 1) % 3];
-    if ((mesh.V.col(j) - mesh.V.col(i)).norm() >= kLeastLength) continue;
-    throw InputError(named(f, mesh) + " has an edge of length 0, from vertex " + std::to_string(i) +
-                     " to " + std::to_string(j) + "; merge the two vertices");
-  }
-}
-
-void check_weights(const Triangulation& mesh, const Eigen::VectorXd& weights) {
-  if (weights.size() != mesh.F.cols()) {
-    throw InputError(std::to_string(weights.size()) + " weights for " +
-                     std::to_string(mesh.F.cols()) + " triangles; one for each is needed");
-  }
-  for (Eigen::Index f = 0; f < weights.size(); ++f) {
-    const double most = weights.maxCoeff();
-    if (weights[f] > 0 && std::isfinite(most) && weights[f] * kMostContrast >= most) continue;
-    std::ostringstream text;
-    text << "the weight of triangle " << f << " is " << weights[f]
-         << "; weights are positive numbers, the largest at most 1e6 times the least";
-    throw InputError(text.str());
-  }
-}
-
-// Triangles that hang together by edges share a root.
-DisjointSets bodies(const Triangulation& mesh) {
+// Triangles that are connected by shared edges have the same root.
+DisjointSets sets_by_shared_edges(const Triangulation& mesh) {
   DisjointSets sets(mesh.F.cols());
   std::map<std::pair<int, int>, int> at_edge;
   for (int f = 0; f < mesh.F.cols(); ++f) {
@@ -75,18 +25,18 @@ DisjointSets bodies(const Triangulation& mesh) {
   return sets;
 }
 
-// The two corners of a triangle besides v.
-std::array<int, 2> others(const Eigen::Vector3i& corners, int v) {
+std::array<int, 2> corners_besides(int v, const Eigen::Vector3i& corners) {
   const int c = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
   return {corners[(c + 1) % 3], corners[(c + 2) % 3]};
 }
 
-// Between two triangles that share v alone, with the longest third edge there is.
-Eigen::Vector3i hinge(const Triangulation& mesh, int v, int f, int g) {
+// The triangle of v and one more corner of each of f and g, which share v alone. Of the four
+// choices it takes the one with the longest edge between the two.
+Eigen::Vector3i hinge_between(int f, int g, int v, const Triangulation& mesh) {
   Eigen::Vector3i best;
   double longest = -1;
-  for (const int a : others(mesh.F.col(f), v)) {
-    for (const int b : others(mesh.F.col(g), v)) {
+  for (const int a : corners_besides(v, mesh.F.col(f))) {
+    for (const int b : corners_besides(v, mesh.F.col(g))) {
       const double length = (mesh.V.col(a) - mesh.V.col(b)).norm();
       if (length <= longest) continue;
       longest = length;
@@ -98,20 +48,8 @@ Eigen::Vector3i hinge(const Triangulation& mesh, int v, int f, int g) {
 
 }  // namespace
 
-void check(const Triangulation& mesh, const Eigen::VectorXd& weights) {
-  if (mesh.F.cols() == 0) throw InputError("the mesh has no triangle; at least one is needed");
-  check_vertices(mesh);
-  std::vector<char> used(mesh.V.cols(), 0);
-  for (int f = 0; f < mesh.F.cols(); ++f) {
-    check_triangle(f, mesh);
-    for (const int v : mesh.F.col(f)) used[v] = 1;
-  }
-  const auto unused = std::find(used.begin(), used.end(), 0);
-  if (unused != used.end()) {
-    throw InputError("vertex " + std::to_string(unused - used.begin()) +
-                     " belongs to no triangle; remove it");
-  }
-  check_weights(mesh, weights);
+bool MeshComponent::contains(int vertex) const {
+  return std::binary_search(vertices.begin(), vertices.end(), vertex);
 }
 
 std::vector<MeshComponent> components(const Triangulation& mesh) {
@@ -120,32 +58,32 @@ std::vector<MeshComponent> components(const Triangulation& mesh) {
     sets.join(corners[0], corners[1]);
     sets.join(corners[0], corners[2]);
   }
-  std::vector<int> index(mesh.V.cols());
-  std::vector<MeshComponent> result;
-  for (int v = 0; v < mesh.V.cols(); ++v) {
-    const int root = sets.root(v);
-    if (root == v) {
-      index[v] = static_cast<int>(result.size());
-      result.emplace_back();
-    }
-    result[index[root]].vertices.push_back(v);
-  }
-  for (int f = 0; f < mesh.F.cols(); ++f) {
-    result[index[sets.root(mesh.F(0, f))]].triangles.push_back(f);
+  const std::vector<int> number = sets.numbered();
+  std::vector<MeshComponent> result(number.empty() ? 0 : 1 + std::ranges::max(number));
+  for (int v = 0; v < mesh.V.cols(); ++v) result[number[v]].vertices.push_back(v);
+  for (int f = 0; f < mesh.F.cols(); ++f) result[number[mesh.F(0, f)]].triangles.push_back(f);
+  return result;
+}
+
+std::vector<int> points_inside(const MeshComponent& component,
+                               const std::vector<BarycentricPoint>& points) {
+  std::vector<int> result;
+  for (int i = 0; i < std::ssize(points); ++i) {
+    if (component.contains(points[i].vertices[0])) result.push_back(i);
   }
   return result;
 }
 
 Hinges hinges(const Triangulation& mesh, const Eigen::VectorXd& weights) {
-  DisjointSets sets = bodies(mesh);
-  std::vector<int> at_vertex(mesh.V.cols(), -1);
+  DisjointSets sets = sets_by_shared_edges(mesh);
+  std::vector<int> at_vertex(mesh.V.cols(), -1);  // the last triangle that was seen there
   std::vector<Eigen::Vector3i> F;
   std::vector<double> w;
   for (int f = 0; f < mesh.F.cols(); ++f) {
     for (const int v : mesh.F.col(f)) {
       const int g = std::exchange(at_vertex[v], f);
       if (g < 0 || !sets.join(f, g)) continue;
-      F.push_back(hinge(mesh, v, f, g));
+      F.push_back(hinge_between(f, g, v, mesh));
       w.push_back(kHingeWeight * std::min(weights[f], weights[g]));
     }
   }

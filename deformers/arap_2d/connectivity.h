@@ -1,30 +1,37 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
+#include "geometry/plane/barycentric_point.h"
 #include "geometry/plane/triangulation.h"
 
 namespace deformlab {
 
-/// Throws InputError for a mesh that cannot be deformed rigidly: without triangles, with indices
-/// out of range, coordinates that are not finite or an edge of length 0, with a vertex that no
-/// triangle has; and for weights that are not one a triangle, positive and within a factor of 1e6.
-void check(const Triangulation& mesh, const Eigen::VectorXd& weights);
-
-/// What hangs together by shared vertices: ascending indices of vertices and triangles.
+/// A part of a mesh that shares no vertex with the rest: indices of its vertices and triangles,
+/// ascending.
 struct MeshComponent {
   std::vector<int> vertices, triangles;
+
+  bool contains(int vertex) const;
 };
+
+/// The connected components of a mesh, in the order of their first vertices.
 std::vector<MeshComponent> components(const Triangulation& mesh);
 
-/// Where parts meet in a vertex only, step one would let them turn and scale against each other
-/// freely. A weak triangle between a triangle of either part ends that.
+/// The indices of those points that lie in the component, ascending.
+std::vector<int> points_inside(const MeshComponent& component,
+                               const std::vector<BarycentricPoint>& points);
+
+/// Weak triangles across hinges. Two parts of a mesh that share only a vertex could turn and scale
+/// against each other at no cost in step one. One weak triangle between a triangle of each part
+/// prevents this.
 struct Hinges {
-  Eigen::Matrix3Xi F;
-  Eigen::VectorXd weights;
+  Eigen::Matrix3Xi F;       ///< 3×#hinges vertices of the mesh
+  Eigen::VectorXd weights;  ///< #hinges
 };
+
+///   weights  #F, the weights of the mesh's triangles
 Hinges hinges(const Triangulation& mesh, const Eigen::VectorXd& weights);
 
 }  // namespace deformlab

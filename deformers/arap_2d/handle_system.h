@@ -4,39 +4,53 @@
 #include <memory>
 #include <vector>
 
-#include "deformers/arap_2d/handle_points.h"
+#include "deformers/arap_2d/handle_clusters.h"
 #include "deformers/arap_2d/registered_mesh.h"
+#include "geometry/plane/barycentric_point.h"
 
 namespace deformlab {
 
-/// The two linear systems of the paper for one set of places that are held (compilation). Targets q
-/// are complex, one a place; positions are in the registered mesh's order. Only `intermediate`
-/// allocates.
+/// The handles of a connected mesh.
+struct MeshHandles {
+  std::vector<BarycentricPoint> points;  ///< their vertices are in the registered mesh's order
+  std::vector<HandleCluster> clusters;   ///< of these points
+  /// Whether the handles are not all at one point: only then they say how the mesh is turned, and
+  /// there is a step one.
+  bool distinct;
+
+  /// How many independent conditions the handles are.
+  Eigen::Index rank() const {
+    Eigen::Index sum = 0;
+    for (const HandleCluster& cluster : clusters) sum += cluster.rank();
+    return sum;
+  }
+};
+
+/// The two linear systems of the paper, compiled for the handles of a connected mesh. Targets q are
+/// complex numbers, one for each handle; positions are complex too, in the registered mesh's order.
+/// Only `intermediate` allocates memory.
 class HandleSystem {
  public:
   virtual ~HandleSystem() = default;
-  /// Section 4.1, as far as the fit needs it.
+  /// Step one (section 4.1), as far as the fitting needs it.
   virtual void step_one(const Eigen::VectorXcd& q) = 0;
-  /// Section 4.2.1: the rotations of step one's result.
+  /// Fitting (section 4.2.1): sets the triangles' rotations to those of step one's result.
   virtual void fit(TriangleFit& triangles) const = 0;
-  /// Section 4.2.2: z holds b of TriangleFit::assemble and becomes the positions v''.
+  /// Step two (section 4.2.2): z holds b of TriangleFit::assemble and becomes the positions v''.
   virtual void step_two(const Eigen::VectorXcd& q, Eigen::VectorXcd& z) = 0;
-  /// The result of the last step one itself, the positions v'.
+  /// The positions v' of the last step one.
   virtual Eigen::VectorXcd intermediate() const = 0;
 };
 
-/// What is held of a mesh.
-struct Held {
-  std::vector<BarycentricPoint> places;  ///< of vertices by their place in the order
-  std::vector<Cluster> clusters;         ///< of these places
-  bool turns;                            ///< not all in one place: they say how the shape is turned
-};
+/// For few handles: Schur complements S = C G⁻¹ Cᴴ on the factors that registration made. A
+/// compilation then costs one or two solves for each handle, and the fitting of an update needs no
+/// positions v'.
+std::unique_ptr<HandleSystem> make_schur_complement_system(const RegisteredMesh& mesh,
+                                                           const MeshHandles& handles);
 
-/// For few places: Schur complements S = C G⁻¹ Cᴴ on the factors that registration made, so that a
-/// compilation costs a solve or two for a place, and step one nothing at all in an update.
-std::unique_ptr<HandleSystem> make_few_held(const RegisteredMesh& mesh, const Held& held);
-
-/// For many places: new factors of G' and H' without what is held, as in the paper.
-std::unique_ptr<HandleSystem> make_many_held(const RegisteredMesh& mesh, const Held& held);
+/// For many handles: new factors of the paper's G' and H', from which the handles are eliminated.
+/// Throws InputError where they are singular.
+std::unique_ptr<HandleSystem> make_elimination_system(const RegisteredMesh& mesh,
+                                                      const MeshHandles& handles);
 
 }  // namespace deformlab

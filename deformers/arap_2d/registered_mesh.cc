@@ -9,10 +9,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kTooFewToOrder = 16;  // vertices
+constexpr int kFewVertices = 16;  // up to so many, the order does not matter
 
-// Of H, for the order: 1 wherever two vertices share a triangle.
-SparseMatrix pattern(Eigen::Index n, const Eigen::Matrix3Xi& F) {
+// The sparsity pattern of H, from which the order is computed: an entry 1 wherever two vertices
+// share a triangle.
+SparseMatrix pattern_of_H(Eigen::Index n, const Eigen::Matrix3Xi& F) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto corners : F.colwise()) {
     for (const int i : corners) {
@@ -26,13 +27,14 @@ SparseMatrix pattern(Eigen::Index n, const Eigen::Matrix3Xi& F) {
   return result;
 }
 
-// Eq. 1–4: the three errors of a triangle are e·v' / e_c, where e holds the edges opposite to its
-// corners; so its share of G is w Σ_c 1/|e_c|² · ē eᵀ.
+// Eq. 1–4: the errors of a triangle are e·v' / e_c for its corners c, where e has the edges
+// opposite to the corners. The triangle adds w Σ_c 1/|e_c|² · ē eᵀ to G.
 void add_similarity(const Eigen::Vector3i& corners, const Eigen::VectorXcd& p, double w,
                     std::vector<Eigen::Triplet<Complex>>& G) {
   Eigen::Vector3cd e;
   for (int c = 0; c < 3; ++c) e[c] = p[corners[(c + 1) % 3]] - p[corners[(c + 2) % 3]];
-  // Over the longest edge first, as squares of small or large lengths may not be numbers.
+  // Lengths are divided by the longest first, because squares of very small or large ones may
+  // underflow or overflow.
   e /= e.cwiseAbs().maxCoeff();
   w *= e.cwiseAbs2().cwiseInverse().sum();
   for (int a = 0; a < 3; ++a) {
@@ -47,22 +49,22 @@ void add_similarity(const Eigen::Vector3i& corners, const Eigen::VectorXcd& p, d
 }  // namespace
 
 RegisteredMesh::RegisteredMesh(const Triangulation& mesh, const Eigen::VectorXd& weights) {
-  put_in_order(mesh, weights);
+  sort_vertices(mesh, weights);
   assemble(mesh, weights);
   ground();
 }
 
-void RegisteredMesh::put_in_order(const Triangulation& mesh, const Eigen::VectorXd& weights) {
+void RegisteredMesh::sort_vertices(const Triangulation& mesh, const Eigen::VectorXd& weights) {
   const Eigen::Index n = mesh.V.cols();
-  vertex = n > kTooFewToOrder ? make_linear_solver("cholmod")->order(pattern(n, mesh.F))
-                              : Eigen::VectorXi::LinSpaced(n, 0, static_cast<int>(n) - 1);
-  place.resize(n);
-  for (int i = 0; i < n; ++i) place[vertex[i]] = i;
+  order = n > kFewVertices ? make_linear_solver("cholmod")->order(pattern_of_H(n, mesh.F))
+                           : Eigen::VectorXi::LinSpaced(n, 0, static_cast<int>(n) - 1);
+  index.resize(n);
+  for (int i = 0; i < n; ++i) index[order[i]] = i;
   p.resize(n);
-  p.real() = mesh.V.row(0)(vertex);
-  p.imag() = mesh.V.row(1)(vertex);
+  p.real() = mesh.V.row(0)(order);
+  p.imag() = mesh.V.row(1)(order);
   p.array() -= p.mean();
-  F = place(mesh.F.reshaped()).reshaped(3, mesh.F.cols());
+  F = index(mesh.F.reshaped()).reshaped(3, mesh.F.cols());
   fit = TriangleFit(p, F, weights);
 }
 
@@ -80,7 +82,7 @@ void RegisteredMesh::assemble(const Triangulation& mesh, const Eigen::VectorXd& 
   }
   const Hinges weak = hinges(mesh, weights);
   for (Eigen::Index h = 0; h < weak.F.cols(); ++h) {
-    add_similarity(place(weak.F.col(h)), p, weak.weights[h], similarity);
+    add_similarity(index(weak.F.col(h)), p, weak.weights[h], similarity);
   }
   G.resize(p.size(), p.size());
   G.setFromTriplets(similarity.begin(), similarity.end());
@@ -89,18 +91,20 @@ void RegisteredMesh::assemble(const Triangulation& mesh, const Eigen::VectorXd& 
 }
 
 void RegisteredMesh::ground() {
-  const Eigen::Index last = p.size() - 1;  // the root of the elimination: nothing else changes
+  // The last vertex is the root of the elimination tree, so that no other column of the factor
+  // changes without it.
+  const Eigen::Index last = p.size() - 1;
   Eigen::Index far = 0;
   (p.array() - p[last]).abs().maxCoeff(&far);
   grounded = {static_cast<int>(last), static_cast<int>(far)};
-  std::vector<char> held(p.size(), 0);
-  held[last] = 1;
-  const bool regular = H_grounded.factorize(without(H, held));
-  held[far] = 1;
-  if (G_grounded.factorize(without(G, held)) && regular) return;
+  std::vector<char> fixed(p.size(), 0);
+  fixed[last] = 1;
+  const bool regular = H_grounded.factorize(eliminated(H, fixed));
+  fixed[far] = 1;
+  if (G_grounded.factorize(eliminated(G, fixed)) && regular) return;
   throw InputError(
-      "the mesh is too badly shaped to be deformed in double precision: some triangles are too "
-      "thin, or their weights differ too much");
+      "the mesh cannot be deformed in double precision: some triangles are too thin, or their "
+      "weights differ too much; use a mesh of rounder triangles, or weights nearer to each other");
 }
 
 }  // namespace deformlab

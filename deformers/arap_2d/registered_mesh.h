@@ -11,44 +11,47 @@
 
 namespace deformlab {
 
-/// What the two steps know of a connected mesh before there are handles (Igarashi et al. 2005,
-/// section 4.3, registration). Its vertices stand in a fill-reducing order, their positions are
-/// complex numbers x + iy, which halves the size of G: turning by 90° is a factor i.
+/// Registration (Igarashi et al. 2005, section 4.3): all that the two steps need of a connected
+/// mesh and that does not depend on handles. Its vertices are in a fill-reducing order. Positions
+/// are complex numbers x + iy. This halves the size of G, because a turn by 90° is the factor i.
 struct RegisteredMesh {
-  /// Throws InputError where the matrices are singular.
+  ///   weights  #F, the stiffness of each triangle (section 5.2)
+  /// Throws InputError where the matrices are singular in double precision.
   RegisteredMesh(const Triangulation& mesh, const Eigen::VectorXd& weights);
 
-  Eigen::VectorXi vertex;  ///< of the mesh, by place in the order
-  Eigen::VectorXi place;   ///< in the order, by vertex of the mesh
-  Eigen::VectorXcd p;      ///< at rest, from their mean [length]
-  Eigen::Matrix3Xi F;      ///< 3×#F places
-  TriangleFit fit;
+  Eigen::VectorXi order;  ///< #V: order[i] is the vertex of the mesh that is the i-th here
+  Eigen::VectorXi index;  ///< #V, the inverse: order[index[v]] = v
+  Eigen::VectorXcd p;     ///< #V positions at rest, relative to their mean [length]
+  Eigen::Matrix3Xi F;     ///< 3×#F triangles, as indices in this order
+  TriangleFit fit;        ///< of these triangles
 
-  /// E = v'ᴴ G v' (Eq. 5) and v''ᴴ H v'' (Eq. 13), lower triangles. G does not see translations,
-  /// rotations and scaling, H no translations.
+  /// The quadratic forms v'ᴴ G v' of step one (Eq. 5) and v''ᴴ H v'' of step two (Eq. 13), as lower
+  /// triangles. The null space of G holds the translations, rotations and scalings, that of H the
+  /// translations.
   Eigen::SparseMatrix<std::complex<double>> G;
   Eigen::SparseMatrix<double> H;
 
-  /// Two vertices far from each other: held, they make G regular; the first is enough for H.
+  /// Two vertices that are far from each other. G without both of them is regular, and so is H
+  /// without the first: these are the grounded matrices, of which the factors are kept.
   std::array<int, 2> grounded;
   PanelCholesky<std::complex<double>> G_grounded;
   PanelCholesky<double> H_grounded;
 
  private:
-  void put_in_order(const Triangulation& mesh, const Eigen::VectorXd& weights);
+  void sort_vertices(const Triangulation& mesh, const Eigen::VectorXd& weights);
   void assemble(const Triangulation& mesh, const Eigen::VectorXd& weights);
   void ground();
 };
 
-/// The lower triangle of a matrix whose rows and columns i are replaced by those of the identity
-/// wherever held[i].
+/// Eliminates the unknowns i with fixed[i] from a symmetric matrix, which is given by its lower
+/// triangle: replaces their rows and columns by those of the identity.
 template <class Scalar>
-Eigen::SparseMatrix<Scalar> without(const Eigen::SparseMatrix<Scalar>& lower,
-                                    const std::vector<char>& held) {
+Eigen::SparseMatrix<Scalar> eliminated(const Eigen::SparseMatrix<Scalar>& lower,
+                                       const std::vector<char>& fixed) {
   Eigen::SparseMatrix<Scalar> result = lower;
   for (int c = 0; c < lower.cols(); ++c) {
     for (typename Eigen::SparseMatrix<Scalar>::InnerIterator it(result, c); it; ++it) {
-      if (held[c] || held[it.row()]) it.valueRef() = it.row() == c ? 1 : 0;
+      if (fixed[c] || fixed[it.row()]) it.valueRef() = it.row() == c ? 1 : 0;
     }
   }
   result.prune([](int row, int column, const Scalar& value) {

@@ -5,7 +5,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kCollapsed = 1e-8;  // ε: |s| below it has no direction to speak of
+constexpr double kCollapsed = 1e-8;  // a smaller |s| has no direction
 
 }  // namespace
 

@@ -1,39 +1,57 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "deformers/arap_2d/handle_points.h"
+#include "geometry/plane/barycentric_point.h"
 #include "solvers/summary.h"
 
 namespace deformlab {
 
-/// The two steps of Igarashi et al. 2005 (section 4), whoever takes them. Positions are 2×#V.
+/// The two steps of Igarashi et al. 2005, section 4: step one (similarity) finds an intermediate
+/// shape v', each of its triangles is fitted by a congruent copy of the triangle at rest, and step
+/// two (edge fit) finds the result v'' from these copies. ClosedFormSteps and GeneralSteps take the
+/// same two steps in two ways, which can be compared with each other.
 class TwoStepSolver {
  public:
-  /// Of the last update [s].
+  /// How long the parts of the last update took [s].
   struct Seconds {
     double step_one = 0, fit = 0, step_two = 0;
+
+    /// The same by name, with their sum as `total`.
+    std::map<std::string, double> by_name() const {
+      return {{"step_one", step_one},
+              {"fit", fit},
+              {"step_two", step_two},
+              {"total", step_one + fit + step_two}};
+    }
   };
 
   virtual ~TwoStepSolver() = default;
-  /// Places that share vertices without being independent are met in the least-squares sense.
-  virtual void compile(const std::vector<BarycentricPoint>& places) = 0;
-  /// Takes the places to their targets, 2×k [length].
-  virtual void update(const Eigen::Matrix2Xd& targets) = 0;
-  virtual void reset() = 0;  ///< back to rest
 
-  virtual const Eigen::Matrix2Xd& positions() const = 0;  ///< v'', the result
-  /// v' of the last update, the result of step one (Figure 3a).
+  /// Compilation: handles are at these points of the rest mesh. Points that share vertices and are
+  /// not independent of each other meet their targets in the least-squares sense.
+  virtual void compile(const std::vector<BarycentricPoint>& points) = 0;
+  /// Update: moves the points to their targets, 2×#points [length].
+  virtual void update(const Eigen::Matrix2Xd& targets) = 0;
+  /// Returns to the rest shape; the handles stay.
+  virtual void reset() = 0;
+
+  /// v'', 2×#V: the result of the last update [length].
+  virtual const Eigen::Matrix2Xd& positions() const = 0;
+  /// v', 2×#V: the result of step one in the last update (Figure 3a) [length].
   virtual Eigen::Matrix2Xd intermediate() const = 0;
-  /// 2×3·#F corners of the triangles fitted to it or, where step two was refined, to the last
-  /// result but one (Figure 3b).
+  /// 2×3·#F: the corners of the fitted triangles (Figure 3b) [length]. They are fitted to the
+  /// intermediate shape or, where step two was repeated, to its last result but one.
   virtual Eigen::Matrix2Xd fitted() const = 0;
 
-  virtual Summary summary() const = 0;  ///< of the last update
+  /// What the last update did.
+  virtual Summary summary() const = 0;
   const Seconds& seconds() const { return seconds_; }
-  const std::vector<std::string>& notes() const { return notes_; }  ///< of the compilation
+  /// What a user should know about the compilation, one sentence each.
+  const std::vector<std::string>& notes() const { return notes_; }
 
  protected:
   Seconds seconds_;

@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include "deformers/arap_2d/registered_mesh.h"
-#include "deformers/arap_2d/two_step.h"
+#include "deformers/arap_2d/closed_form_steps.h"
 #include "geometry/plane/triangulation.h"
 #include "solvers/stopwatch.h"
 
@@ -140,7 +140,7 @@ class Pair {
   std::vector<BarycentricPoint> places_;
   Eigen::Matrix2Xd targets_ = Eigen::Matrix2Xd(2, 3);
   Eigen::VectorXd weights_;
-  TwoStep ours_;
+  ClosedFormSteps ours_;
   RegisteredMesh registered_;
   Eigen::VectorXcd z_;
   Mesh cgal_mesh_;
@@ -165,7 +165,7 @@ RigidComparison compare_rigid(int vertices, int repetitions) {
   const Eigen::VectorXd weights = Eigen::VectorXd::Ones(mesh.F.cols());
   RigidComparison result;
   result.vertices = static_cast<int>(mesh.V.cols());
-  result.registration = 1e3 * seconds_of([&] { TwoStep(mesh, weights); });
+  result.registration = 1e3 * seconds_of([&] { ClosedFormSteps(mesh, weights); });
   Pair pair(mesh);
   Samples s;
   for (int i = 0; i < repetitions; ++i) pair.measure(s);

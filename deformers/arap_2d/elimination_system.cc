@@ -11,12 +11,12 @@ using Eigen::VectorXcd;
 template <class Scalar>
 using Sparse = Eigen::SparseMatrix<Scalar>;
 
-// v = V y, with the clusters' V in the rows and columns of their vertices: of y each entry is
-// either held or free.
-Sparse<double> change_of_basis(const Held& held, Eigen::Index n) {
+// V of v = V y, n×n: it has the clusters' V in the rows and columns of their vertices, and is the
+// identity elsewhere. Each entry of y is either prescribed by the handles or free.
+Sparse<double> change_of_basis(const MeshHandles& handles, Eigen::Index n) {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<char> clustered(n, 0);
-  for (const Cluster& cluster : held.clusters) {
+  for (const HandleCluster& cluster : handles.clusters) {
     for (int a = 0; a < std::ssize(cluster.vertices); ++a) {
       clustered[cluster.vertices[a]] = 1;
       for (int b = 0; b < std::ssize(cluster.vertices); ++b) {
@@ -32,27 +32,29 @@ Sparse<double> change_of_basis(const Held& held, Eigen::Index n) {
   return V;
 }
 
-// A system with what is held eliminated.
+// A linear system for y, from which the prescribed entries of y are eliminated.
 template <class Scalar>
-class Eliminated {
+class EliminatedSystem {
  public:
   void compile(const Sparse<Scalar>& lower, const Sparse<double>& V,
-               const std::vector<char>& held) {
+               const std::vector<char>& prescribed) {
     const Sparse<Scalar> A = lower.template selfadjointView<Eigen::Lower>();
     const Sparse<Scalar> W = V.template cast<Scalar>();
     const Sparse<Scalar> AW = A * W;
     Sparse<Scalar> B = W.transpose() * AW;
     if (!factor_.factorize(
-            without(Sparse<Scalar>(B.template triangularView<Eigen::Lower>()), held))) {
+            eliminated(Sparse<Scalar>(B.template triangularView<Eigen::Lower>()), prescribed))) {
       throw InputError(
-          "the handles leave a part of the mesh that cannot be deformed in double precision; use "
-          "fewer, or others");
+          "the system of the handles is singular in double precision: a part of the mesh between "
+          "them cannot be deformed; use fewer handles, or other ones");
     }
-    B.prune([&](int row, int column, const Scalar&) { return held[column] && !held[row]; });
+    B.prune(
+        [&](int row, int column, const Scalar&) { return prescribed[column] && !prescribed[row]; });
     coupling_ = std::move(B);
   }
 
-  // y, where it is held, and the right-hand side, where it is free, become all of y.
+  // On input the prescribed entries of y have their values, and the free ones their right-hand
+  // sides. On output all of y is the solution.
   void solve(VectorXcd& y) const {
     for (int c = 0; c < coupling_.cols(); ++c) {
       for (typename Sparse<Scalar>::InnerIterator it(coupling_, c); it; ++it) {
@@ -64,46 +66,47 @@ class Eliminated {
 
  private:
   PanelCholesky<Scalar> factor_;
-  Sparse<Scalar> coupling_;  // of free rows to held columns
+  Sparse<Scalar> coupling_;  // of free rows to prescribed columns
 };
 
-class ManyHeld final : public HandleSystem {
+class EliminationSystem final : public HandleSystem {
  public:
-  ManyHeld(const RegisteredMesh& mesh, const Held& held) : turns_(held.turns) {
+  EliminationSystem(const RegisteredMesh& mesh, const MeshHandles& handles)
+      : distinct_(handles.distinct) {
     const Eigen::Index n = mesh.p.size();
     std::size_t largest = 0;
-    std::vector<char> is_held(n, 0);
-    for (const Cluster& cluster : held.clusters) {
+    std::vector<char> prescribed(n, 0);
+    for (const HandleCluster& cluster : handles.clusters) {
       largest = std::max(largest, cluster.vertices.size());
-      for (int i = 0; i < cluster.rank(); ++i) is_held[cluster.vertices[i]] = 1;
-      if (cluster.vertices.size() == 1 && cluster.places.size() == 1) {
-        alone_.push_back({cluster.vertices[0], cluster.places[0]});
+      for (int i = 0; i < cluster.rank(); ++i) prescribed[cluster.vertices[i]] = 1;
+      if (cluster.vertices.size() == 1 && cluster.points.size() == 1) {
+        single_.push_back({cluster.vertices[0], cluster.points[0]});
       } else {
         clusters_.push_back(cluster);
       }
     }
     scratch_.resize(static_cast<Eigen::Index>(largest));
-    const Sparse<double> V = change_of_basis(held, n);
-    if (turns_) G_.compile(mesh.G, V, is_held);
-    H_.compile(mesh.H, V, is_held);
+    const Sparse<double> V = change_of_basis(handles, n);
+    if (distinct_) G_.compile(mesh.G, V, prescribed);
+    H_.compile(mesh.H, V, prescribed);
     z_.resize(n);
   }
 
   void step_one(const VectorXcd& q) override {
-    if (!turns_) return;
+    if (!distinct_) return;
     z_.setZero();
-    hold(q, z_);
+    prescribe(q, z_);
     G_.solve(z_);
     transform<false>(z_);
   }
 
   void fit(TriangleFit& triangles) const override {
-    if (turns_) triangles.fit(z_);
+    if (distinct_) triangles.fit(z_);
   }
 
   void step_two(const VectorXcd& q, VectorXcd& z) override {
     transform<true>(z);
-    hold(q, z);
+    prescribe(q, z);
     H_.solve(z);
     transform<false>(z);
   }
@@ -111,27 +114,28 @@ class ManyHeld final : public HandleSystem {
   VectorXcd intermediate() const override { return z_; }
 
  private:
-  struct Alone {
-    int vertex, place;
+  // A cluster of one vertex and one handle, where V = 1.
+  struct Single {
+    int vertex, handle;
   };
 
-  void hold(const VectorXcd& q, VectorXcd& y) const {
-    for (const auto& [vertex, place] : alone_) y[vertex] = q[place];
-    for (const Cluster& cluster : clusters_) {
+  void prescribe(const VectorXcd& q, VectorXcd& y) const {
+    for (const auto& [vertex, handle] : single_) y[vertex] = q[handle];
+    for (const HandleCluster& cluster : clusters_) {
       for (int i = 0; i < cluster.rank(); ++i) {
         Complex sum = 0;
-        for (int j = 0; j < std::ssize(cluster.places); ++j) {
-          sum += cluster.pull(i, j) * q[cluster.places[j]];
+        for (int j = 0; j < std::ssize(cluster.points); ++j) {
+          sum += cluster.from_targets(i, j) * q[cluster.points[j]];
         }
         y[cluster.vertices[i]] = sum;
       }
     }
   }
 
-  // v = V y, or Vᵀ v.
+  // Replaces y by V y, or by Vᵀ y.
   template <bool transposed>
   void transform(VectorXcd& y) {
-    for (const Cluster& cluster : clusters_) {
+    for (const HandleCluster& cluster : clusters_) {
       const auto m = std::ssize(cluster.vertices);
       for (int i = 0; i < m; ++i) scratch_[i] = y[cluster.vertices[i]];
       for (int i = 0; i < m; ++i) {
@@ -144,18 +148,19 @@ class ManyHeld final : public HandleSystem {
     }
   }
 
-  bool turns_;
-  std::vector<Alone> alone_;  // clusters of one vertex and one place, where V = 1
-  std::vector<Cluster> clusters_;
-  Eliminated<Complex> G_;
-  Eliminated<double> H_;
+  bool distinct_;
+  std::vector<Single> single_;
+  std::vector<HandleCluster> clusters_;  // all others
+  EliminatedSystem<Complex> G_;
+  EliminatedSystem<double> H_;
   VectorXcd z_, scratch_;
 };
 
 }  // namespace
 
-std::unique_ptr<HandleSystem> make_many_held(const RegisteredMesh& mesh, const Held& held) {
-  return std::make_unique<ManyHeld>(mesh, held);
+std::unique_ptr<HandleSystem> make_elimination_system(const RegisteredMesh& mesh,
+                                                      const MeshHandles& handles) {
+  return std::make_unique<EliminationSystem>(mesh, handles);
 }
 
 }  // namespace deformlab

@@ -1,31 +1,32 @@
+#include "deformers/arap_2d/arap_2d.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <cmath>
 
-#include "deformers/arap_2d/arap_2d.h"
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/samples.h"
 
-// The deformer around the two steps: handles in, a shape and a report out.
+// The deformer around the two steps, which takes handles and gives a shape and a report.
 namespace deformlab::test {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-const Triangulation& sheet() {
+const Triangulation& square() {
   static const Triangulation mesh = shaken_grid(9, 2);
   return mesh;
 }
 
-Arap2dOptions with(const char* steps) {
+Arap2dOptions with(TwoStepMethod steps) {
   Arap2dOptions options;
   options.steps = steps;
   return options;
 }
 
-Handles corner_and_place() {
+Handles corner_and_point() {
   Handles handles;
   handles.fixed = {0};
   handles.moved = {80};
@@ -35,24 +36,15 @@ Handles corner_and_place() {
 
 Eigen::Matrix3Xd targets() {
   Eigen::Matrix3Xd result(3, 2);
-  result.col(0) << sheet().V.col(80) + Eigen::Vector2d(0.5, -0.4), 0;
+  result.col(0) << square().V.col(80) + Eigen::Vector2d(0.5, -0.4), 0;
   result.col(1) << 1.1, 2, 0;
   return result;
 }
 
-std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(Arap2d, MovesWhatIsMovedAndKeepsWhatIsFixed) {
-  for (const TwoStepMethod steps : {TwoStepMethod::kClosedForm, TwoStepMethod::kStages}) {
-    Arap2d deformer(sheet(), {}, with(steps));
-    deformer.compile(corner_and_place());
+  for (const TwoStepMethod steps : {TwoStepMethod::kClosedForm, TwoStepMethod::kGeneralSolver}) {
+    Arap2d deformer(square(), {}, with(steps));
+    deformer.compile(corner_and_point());
     const Report report = deformer.update(targets());
     EXPECT_EQ(report.solve.status, Status::kConverged);
     EXPECT_LT(report.handle_max, 1e-10);
@@ -60,7 +52,7 @@ TEST(Arap2d, MovesWhatIsMovedAndKeepsWhatIsFixed) {
     EXPECT_EQ(report.inside_out, 0);
     EXPECT_GT(report.min_det_R, 0.2);
     const Eigen::Matrix3Xd& V = deformer.deformed().V;
-    EXPECT_LT((V.col(0).head<2>() - sheet().V.col(0)).norm(), 1e-12);
+    EXPECT_LT((V.col(0).head<2>() - square().V.col(0)).norm(), 1e-12);
     EXPECT_LT((V.col(80) - targets().col(0)).norm(), 1e-12);
     EXPECT_EQ(V.row(2).norm(), 0);
     EXPECT_EQ(deformer.deformed().faces.size(), 128u);
@@ -68,45 +60,45 @@ TEST(Arap2d, MovesWhatIsMovedAndKeepsWhatIsFixed) {
 }
 
 TEST(Arap2d, BothWaysComeToOneShape) {
-  Arap2d closed_form(sheet(), {}, with(TwoStepMethod::kClosedForm)),
-      stages(sheet(), {}, with(TwoStepMethod::kStages));
-  for (Arap2d* deformer : {&closed_form, &stages}) {
-    deformer->compile(corner_and_place());
+  Arap2d closed_form(square(), {}, with(TwoStepMethod::kClosedForm)),
+      general(square(), {}, with(TwoStepMethod::kGeneralSolver));
+  for (Arap2d* deformer : {&closed_form, &general}) {
+    deformer->compile(corner_and_point());
     deformer->update(targets());
   }
-  EXPECT_LT((closed_form.deformed().V - stages.deformed().V).cwiseAbs().maxCoeff(), 1e-9);
-  EXPECT_LT((closed_form.intermediate() - stages.intermediate()).cwiseAbs().maxCoeff(), 1e-9);
-  EXPECT_LT((closed_form.fitted() - stages.fitted()).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((closed_form.deformed().V - general.deformed().V).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((closed_form.intermediate() - general.intermediate()).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((closed_form.fitted() - general.fitted()).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(Arap2d, TheResultDoesNotDependOnTheWay) {
-  Arap2d dragged(sheet(), {}, {}), at_once(sheet(), {}, {});
-  dragged.compile(corner_and_place());
-  at_once.compile(corner_and_place());
+  Arap2d dragged(square(), {}, {}), at_once(square(), {}, {});
+  dragged.compile(corner_and_point());
+  at_once.compile(corner_and_point());
   Eigen::Matrix3Xd rest(3, 2);
-  rest << sheet().V.col(80), corner_and_place().points.topRows<2>(), 0, 0;
+  rest << square().V.col(80), corner_and_point().points.topRows<2>(), 0, 0;
   for (int i = 0; i <= 10; ++i) dragged.update(rest + 0.1 * i * (targets() - rest));
   at_once.update(targets());
   EXPECT_LT((dragged.deformed().V - at_once.deformed().V).norm(), 1e-11);
 }
 
 TEST(Arap2d, ResetsToRestAndKeepsItsHandles) {
-  Arap2d deformer(sheet(), {}, {});
-  deformer.compile(corner_and_place());
+  Arap2d deformer(square(), {}, {});
+  deformer.compile(corner_and_point());
   const Report first = deformer.update(targets());
   const Eigen::Matrix3Xd V = deformer.deformed().V;
   deformer.reset();
-  EXPECT_EQ(deformer.deformed().V.topRows<2>(), sheet().V);
+  EXPECT_EQ(deformer.deformed().V.topRows<2>(), square().V);
   deformer.update(targets());
   EXPECT_EQ(deformer.deformed().V, V);
 }
 
-TEST(Arap2d, TakesPlacesOnTheBoundaryAndAtCorners) {
+TEST(Arap2d, TakesPointsOnTheBoundaryAndAtCorners) {
   Handles handles;
-  const Eigen::Vector2d a = sheet().V.col(0), b = sheet().V.col(1), c = sheet().V.col(40);
+  const Eigen::Vector2d a = square().V.col(0), b = square().V.col(1), c = square().V.col(40);
   handles.points.resize(3, 3);
   handles.points << a, 0.3 * a + 0.7 * b, c, 0, 0, 0;
-  Arap2d deformer(sheet(), {}, {});
+  Arap2d deformer(square(), {}, {});
   deformer.compile(handles);
   Eigen::Matrix3Xd to = handles.points;
   to.col(2).x() += 1;
@@ -115,33 +107,35 @@ TEST(Arap2d, TakesPlacesOnTheBoundaryAndAtCorners) {
 }
 
 TEST(Arap2d, SaysWhereAHandleOutsideCouldBe) {
-  Arap2d deformer(sheet(), {}, {});
+  Arap2d deformer(square(), {}, {});
   Handles handles;
   handles.points = Eigen::Vector3d(1.5, -2, 0);
-  EXPECT_THAT(refusal([&] { deformer.compile(handles); }),
+  EXPECT_THAT(error_of([&] { deformer.compile(handles); }),
               AllOf(HasSubstr("(1.5, -2)"), HasSubstr("outside"), HasSubstr("nearest")));
   handles.points.setConstant(std::nan(""));
-  EXPECT_NE(refusal([&] { deformer.compile(handles); }), "");
+  EXPECT_NE(error_of([&] { deformer.compile(handles); }), "");
 }
 
 TEST(Arap2d, RefusesBadHandlesTargetsAndOptions) {
-  Arap2d deformer(sheet(), {}, {});
-  EXPECT_THAT(refusal([&] { deformer.compile({.fixed = {}, .moved = {81}}); }), HasSubstr("81"));
-  EXPECT_THAT(refusal([&] { deformer.compile({.fixed = {3}, .moved = {3}}); }), HasSubstr("both"));
-  deformer.compile(corner_and_place());
-  EXPECT_THAT(refusal([&] { deformer.update(Eigen::Matrix3Xd::Zero(3, 5)); }), HasSubstr("5"));
+  Arap2d deformer(square(), {}, {});
+  EXPECT_THAT(error_of([&] { deformer.compile({.fixed = {}, .moved = {81}}); }), HasSubstr("81"));
+  EXPECT_THAT(error_of([&] { deformer.compile({.fixed = {3}, .moved = {3}}); }), HasSubstr("both"));
+  deformer.compile(corner_and_point());
+  EXPECT_THAT(error_of([&] { deformer.update(Eigen::Matrix3Xd::Zero(3, 5)); }), HasSubstr("5"));
   Eigen::Matrix3Xd endless = targets();
   endless(0, 1) = INFINITY;
-  EXPECT_THAT(refusal([&] { deformer.update(endless); }), HasSubstr("finite"));
+  EXPECT_THAT(error_of([&] { deformer.update(endless); }), HasSubstr("finite"));
   Arap2dOptions options;
   options.refinements = -1;
-  EXPECT_THAT(refusal([&] { Arap2d(sheet(), {}, options); }), HasSubstr("-1"));
-  EXPECT_THAT(refusal([&] { Arap2d(sheet(), {}, with("magic")); }), HasSubstr("magic"));
+  EXPECT_THAT(error_of([&] { Arap2d(square(), {}, options); }), HasSubstr("-1"));
+  options = with(TwoStepMethod::kGeneralSolver);
+  options.solver.epsilon = 0;
+  EXPECT_THAT(error_of([&] { Arap2d(square(), {}, options); }), HasSubstr("solver.epsilon is 0"));
 }
 
 TEST(Arap2d, TargetsTooFarAwayAreAFailureThatIsReported) {
-  Arap2d deformer(sheet(), {}, {});
-  deformer.compile(corner_and_place());
+  Arap2d deformer(square(), {}, {});
+  deformer.compile(corner_and_point());
   deformer.update(targets());
   const Eigen::Matrix3Xd V = deformer.deformed().V;
   const Report report = deformer.update(4e307 * targets());

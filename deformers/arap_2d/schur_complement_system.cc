@@ -10,45 +10,47 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::MatrixXcd, Eigen::MatrixXd, Eigen::VectorXcd;
 
-// What is held, C₀ v = P q: orthonormal rows C₀ over the vertices, and P from targets to their
-// values.
-struct Rows {
-  Eigen::SparseMatrix<double, Eigen::RowMajor> C;  // r×n
-  MatrixXd P;                                      // r×k
+// What the handles prescribe: C v = P q.
+struct Conditions {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> C;  // r×n, with orthonormal rows
+  MatrixXd P;                                      // r×#handles
 };
 
-Rows rows_of(const Held& held, Eigen::Index n) {
+// The conditions on the positions of n vertices.
+Conditions conditions_of(const MeshHandles& handles, Eigen::Index n) {
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::Index r = 0;
-  for (const Cluster& cluster : held.clusters) r += cluster.rank();
-  Rows rows{{r, n}, MatrixXd::Zero(r, std::ssize(held.places))};
+  const Eigen::Index r = handles.rank();
+  Conditions conditions{{r, n}, MatrixXd::Zero(r, std::ssize(handles.points))};
   int first = 0;
-  for (const Cluster& cluster : held.clusters) {
+  for (const HandleCluster& cluster : handles.clusters) {
     for (int row = 0; row < cluster.rank(); ++row) {
       for (int i = 0; i < std::ssize(cluster.vertices); ++i) {
         entries.emplace_back(first + row, cluster.vertices[i], cluster.V(i, row));
       }
-      rows.P(first + row, cluster.places) = cluster.pull.row(row);
+      conditions.P(first + row, cluster.points) = cluster.from_targets.row(row);
     }
     first += static_cast<int>(cluster.rank());
   }
-  rows.C.setFromTriplets(entries.begin(), entries.end());
-  return rows;
+  conditions.C.setFromTriplets(entries.begin(), entries.end());
+  return conditions;
 }
 
-// The minimum of vᴴAv − 2 Re vᴴb subject to C v = c, where A is singular on the columns of N alone:
+// How the minimum of vᴴAv − 2 Re vᴴb subject to C v = c responds to the values c. The columns of N
+// span the null space of A: translations and, in step one, rotations and scaling. The minimum is
 //   v = v̂ + Y μ + N τ,   μ = M (c − C v̂),   τ = T (c − C v̂),
-// v̂ any solution of A v̂ = b, Y = A⁺Cᴴ W, and W an orthonormal basis of what is orthogonal to C N:
-// forces on the places that leave translations (and, in step one, rotations and scaling) alone.
+// where v̂ is any solution of A v̂ = b, and Y = A⁺Cᴴ W. W is an orthonormal basis of the orthogonal
+// complement of C N. Its columns are forces on the handles that have no component in the null
+// space, so that A v = Cᴴ W has a solution.
 template <class Scalar>
 struct Response {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   Matrix Y;     // n×(r − columns of N)
   Matrix M, T;  // (r − columns of N)×r, columns of N×r
 
+  // `solve(Y)` replaces each column of Y by a solution v of A v = column.
   template <class Solve>
-  Response(const Rows& rows, const Matrix& N, Solve&& solve) {
-    const Eigen::SparseMatrix<Scalar, Eigen::RowMajor> C = rows.C.template cast<Scalar>();
+  Response(const Conditions& conditions, const Matrix& N, Solve&& solve) {
+    const Eigen::SparseMatrix<Scalar, Eigen::RowMajor> C = conditions.C.template cast<Scalar>();
     const Matrix B = C * N;
     const Eigen::Index r = B.rows(), m = r - B.cols();
     const Matrix Q = Eigen::HouseholderQR<Matrix>(B).householderQ() * Matrix::Identity(r, r);
@@ -64,13 +66,13 @@ struct Response {
   }
 };
 
-class FewHeld final : public HandleSystem {
+class SchurComplementSystem final : public HandleSystem {
  public:
-  FewHeld(const RegisteredMesh& mesh, const Held& held)
-      : mesh_(mesh), places_(held.places), gap_(std::ssize(held.places)) {
-    const Rows rows = rows_of(held, mesh.p.size());
-    if (held.turns) compile_step_one(rows);
-    compile_step_two(rows);
+  SchurComplementSystem(const RegisteredMesh& mesh, const MeshHandles& handles)
+      : mesh_(mesh), points_(handles.points), gap_(std::ssize(handles.points)) {
+    const Conditions conditions = conditions_of(handles, mesh.p.size());
+    if (handles.distinct) compile_step_one(conditions);
+    compile_step_two(conditions);
   }
 
   void step_one(const VectorXcd& q) override {
@@ -85,7 +87,7 @@ class FewHeld final : public HandleSystem {
   void step_two(const VectorXcd& q, VectorXcd& z) override {
     z[mesh_.grounded[0]] = 0;
     mesh_.H_grounded.solve(z);
-    for (Eigen::Index i = 0; i < q.size(); ++i) gap_[i] = q[i] - places_[i](z);
+    for (Eigen::Index i = 0; i < q.size(); ++i) gap_[i] = q[i] - points_[i](z);
     lambda_.noalias() = to_lambda_.lazyProduct(gap_);
     const Complex t = to_translation_.cwiseProduct(gap_.transpose()).sum();
     const Eigen::Index m = lambda_.size();
@@ -105,11 +107,11 @@ class FewHeld final : public HandleSystem {
   }
 
  private:
-  void compile_step_one(const Rows& rows) {
-    const double size = mesh_.p.cwiseAbs().maxCoeff();  // brings both columns of N to one scale
+  void compile_step_one(const Conditions& conditions) {
+    const double size = mesh_.p.cwiseAbs().maxCoeff();  // gives both columns of N one scale
     MatrixXcd N(mesh_.p.size(), 2);
     N << VectorXcd::Ones(mesh_.p.size()), mesh_.p / size;
-    Response<Complex> response(rows, N, [this](MatrixXcd& Y) {
+    Response<Complex> response(conditions, N, [this](MatrixXcd& Y) {
       for (const int i : mesh_.grounded) Y.row(i).setZero();
       VectorXcd column;
       for (Eigen::Index l = 0; l < Y.cols(); ++l) {
@@ -119,8 +121,8 @@ class FewHeld final : public HandleSystem {
       }
     });
     Y_ = std::move(response.Y);
-    to_mu_ = response.M * rows.P;
-    to_tau_ = response.T * rows.P;
+    to_mu_ = response.M * conditions.P;
+    to_tau_ = response.T * conditions.P;
     to_tau_.row(1) /= size;
     mu_.resize(Y_.cols());
     tau_.resize(2);
@@ -133,10 +135,11 @@ class FewHeld final : public HandleSystem {
     }
   }
 
-  void compile_step_two(const Rows& rows) {
-    Response<double> response(rows, MatrixXd::Ones(mesh_.p.size(), 1), [this](MatrixXd& Y) {
+  void compile_step_two(const Conditions& conditions) {
+    const MatrixXd N = MatrixXd::Ones(mesh_.p.size(), 1);
+    Response<double> response(conditions, N, [this](MatrixXd& Y) {
       Y.row(mesh_.grounded[0]).setZero();
-      VectorXcd two(Y.rows());  // real right-hand sides in pairs
+      VectorXcd two(Y.rows());  // solves for two real right-hand sides at once
       for (Eigen::Index l = 0; l < Y.cols(); l += 2) {
         const Eigen::Index next = std::min(l + 1, Y.cols() - 1);
         two.real() = Y.col(l);
@@ -147,18 +150,19 @@ class FewHeld final : public HandleSystem {
       }
     });
     Z_ = response.Y;
-    to_lambda_ = (response.M * rows.P).cast<Complex>();
-    to_translation_ = (response.T * rows.P).cast<Complex>();
+    to_lambda_ = (response.M * conditions.P).cast<Complex>();
+    to_translation_ = (response.T * conditions.P).cast<Complex>();
     lambda_.resize(Z_.cols());
   }
 
   const RegisteredMesh& mesh_;
-  std::vector<BarycentricPoint> places_;
-  // Step one: v' = Y μ + τ_0 + τ_1 p, whose triangles have s = τ_1 + (s_re + i s_im) μ.
+  std::vector<BarycentricPoint> points_;
+  // Step one: v' = Y μ + τ_0 + τ_1 p. The similarities of its triangles are
+  // s = τ_1 + (s_re + i s_im) μ.
   MatrixXcd Y_, to_mu_, to_tau_;
   Eigen::ArrayXXd s_re_, s_im_;
   VectorXcd mu_, tau_;
-  // Step two: v'' = z + Z λ + t. From the gaps between places and targets to λ and t:
+  // Step two: v'' = z + Z λ + t. The gaps between handles and targets give λ and t by:
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Z_;
   MatrixXcd to_lambda_;
   Eigen::RowVectorXcd to_translation_;
@@ -167,8 +171,9 @@ class FewHeld final : public HandleSystem {
 
 }  // namespace
 
-std::unique_ptr<HandleSystem> make_few_held(const RegisteredMesh& mesh, const Held& held) {
-  return std::make_unique<FewHeld>(mesh, held);
+std::unique_ptr<HandleSystem> make_schur_complement_system(const RegisteredMesh& mesh,
+                                                           const MeshHandles& handles) {
+  return std::make_unique<SchurComplementSystem>(mesh, handles);
 }
 
 }  // namespace deformlab

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/plane/triangulation.h"
+
+namespace deformlab {
+
+/// Throws InputError for a mesh that the two steps cannot deform: it has no triangle, an index out
+/// of range, a coordinate that is not finite, an edge of length 0, or a vertex that no triangle
+/// has. Throws InputError too for weights (one for each triangle) that are not positive or differ
+/// by more than a factor of 1e6.
+void check_rest_mesh(const Triangulation& mesh, const Eigen::VectorXd& weights);
+
+}  // namespace deformlab
