@@ -4,6 +4,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_deformation.h>
+#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,8 +12,9 @@
 #include <utility>
 
 #include "deformers/baselines/manifold.h"
-#include "deformers/baselines/shared.h"
+#include "deformers/baselines/surface.h"
 #include "deformers/handle_checks.h"
+#include "geometry/core/disjoint_sets.h"
 #include "geometry/core/error.h"
 #include "solvers/stopwatch.h"
 
@@ -24,9 +26,9 @@ using Mesh = CGAL::Surface_mesh<Point>;
 class CgalArap::Engine {
  public:
   virtual ~Engine() = default;
-  /// False where the system is singular.
-  virtual bool hold(const std::vector<int>& vertices) = 0;
-  virtual void set_targets(int vertex, const Eigen::Vector3d& target) = 0;
+  /// Returns false where the system is singular.
+  virtual bool set_control_vertices(const std::vector<int>& vertices) = 0;
+  virtual void set_target(int control_vertex, const Eigen::Vector3d& target) = 0;
   virtual void iterate() = 0;
   virtual void reset() = 0;
   virtual Eigen::Matrix3Xd positions() const = 0;
@@ -34,8 +36,11 @@ class CgalArap::Engine {
 
 namespace {
 
-constexpr double kNegligible = 1e-24;  // energy, as a share of what deforming all would cost
-constexpr double kThinnest = 1e-10;    // twice the area of a triangle in its longest side squared
+constexpr const char* kMethod = "as-rigid-as-possible deformation";
+constexpr double kNegligible = 1e-24;  // energy [SpokesAndRims::scale]
+// Twice the area of a triangle [square of its longest side]. The cotangents of a thinner one would
+// outweigh all others, and leave no correct digit of the solution.
+constexpr double kThinnest = 1e-10;
 
 Mesh make_mesh(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
   Mesh mesh;
@@ -53,13 +58,14 @@ class EngineOf final : public CgalArap::Engine {
       : mesh_(make_mesh(V, T)), deformation_(mesh_) {
     deformation_.insert_roi_vertices(mesh_.vertices().begin(), mesh_.vertices().end());
   }
-  bool hold(const std::vector<int>& vertices) override {
+  bool set_control_vertices(const std::vector<int>& vertices) override {
     deformation_.clear_control_vertices();
     for (const int v : vertices) deformation_.insert_control_vertex(Mesh::Vertex_index(v));
     return deformation_.preprocess();
   }
-  void set_targets(int vertex, const Eigen::Vector3d& p) override {
-    deformation_.set_target_position(Mesh::Vertex_index(vertex), Point(p.x(), p.y(), p.z()));
+  void set_target(int control_vertex, const Eigen::Vector3d& p) override {
+    deformation_.set_target_position(Mesh::Vertex_index(control_vertex),
+                                     Point(p.x(), p.y(), p.z()));
   }
   void iterate() override { deformation_.deform(1, 0); }
   void reset() override { deformation_.reset(); }
@@ -90,23 +96,20 @@ std::unique_ptr<CgalArap::Engine> make_engine(CgalArapVariant variant, const Eig
   return std::make_unique<EngineOf<CGAL::SPOKES_AND_RIMS>>(V, T);
 }
 
-// Their cotangents would outweigh all others, and leave no digit of the solution.
 void reject_thin(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
-  for (const auto t : T.colwise()) {
-    const Eigen::Vector3d a = V.col(t[1]) - V.col(t[0]), b = V.col(t[2]) - V.col(t[0]);
-    const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm()});
-    if (a.cross(b).norm() > kThinnest * longest2) continue;
-    throw InputError("the triangle of vertices " + std::to_string(t[0]) + ", " +
-                     std::to_string(t[1]) + " and " + std::to_string(t[2]) +
-                     " has no area, and as-rigid-as-possible deformation weighs edges by "
-                     "cotangents; repair the mesh, or use embedded deformation");
+  for (const Eigen::Vector3i t : T.colwise()) {
+    if (!baselines::is_thin(V(Eigen::all, t), kThinnest)) continue;
+    throw InputError(fmt::format(
+        "the triangle of vertices {}, {} and {} has no area, and {} weighs edges by cotangents; "
+        "repair the mesh, or use embedded deformation",
+        t[0], t[1], t[2], kMethod));
   }
 }
 
 }  // namespace
 
 CgalArap::CgalArap(Shape rest, const CgalArapOptions& options)
-    : options_(options), rest_(std::move(rest)), deformed_(rest_) {
+    : Baseline(std::move(rest)), options_(options) {
   check_options(options_);
   {
     Stopwatch watch(seconds_["register"]);
@@ -116,19 +119,21 @@ CgalArap::CgalArap(Shape rest, const CgalArapOptions& options)
 }
 
 void CgalArap::register_shape() {
-  auto [T, vertices, notes] = baselines::surface_of(rest_, "as-rigid-as-possible deformation");
+  auto [T, vertices, notes] = baselines::surface_of(rest_, kMethod);
   reject_thin(rest_.V, T);
   const std::string fault = manifold_fault(T, static_cast<int>(rest_.V.cols()));
   if (!fault.empty()) {
-    throw InputError("the shape is no manifold mesh: " + fault +
-                     "; mend it, or use embedded deformation, which takes any shape");
+    throw InputError(fmt::format(
+        "the shape is no manifold mesh: {}; mend it, or use embedded deformation, which takes any "
+        "shape",
+        fault));
   }
   vertices_ = std::move(vertices);
   registration_notes_ = std::move(notes);
-  place_.assign(rest_.V.cols(), -1);
-  for (int i = 0; i < std::ssize(vertices_); ++i) place_[vertices_[i]] = i;
+  index_.assign(rest_.V.cols(), -1);
+  for (int i = 0; i < std::ssize(vertices_); ++i) index_[vertices_[i]] = i;
   V_ = rest_.V(Eigen::all, vertices_);
-  T_ = T.unaryExpr([&](int v) { return place_[v]; });
+  T_ = T.unaryExpr([&](int v) { return index_[v]; });
   engine_ = make_engine(options_.variant, V_, T_);
 }
 
@@ -139,52 +144,49 @@ void CgalArap::reset() {
   deformed_ = rest_;
 }
 
-void CgalArap::compile(const Handles& handles) {
-  check_handles(handles, rest_.V.cols());
-  baselines::refuse_points(handles, "as-rigid-as-possible deformation");
-  seconds_["compile"] = 0;
-  Stopwatch watch(seconds_["compile"]);
-  handles_ = handles;
-  compilation_notes_.clear();
-  const std::vector<int> held = hold_free_parts();
-  unknowns_ = static_cast<int>(3 * (V_.cols() - std::ssize(held)));
-  solvable_ = engine_->hold(held);
+void CgalArap::check_supported(const Handles& handles) const {
+  baselines::refuse_points(handles, kMethod);
 }
 
-// The handles' places, and those of parts without a handle, which would float at no cost.
-std::vector<int> CgalArap::hold_free_parts() {
-  std::vector<std::pair<int, int>> links;
+void CgalArap::compile_handles() {
+  const std::vector<int> control = control_vertices();
+  unknowns_ = static_cast<int>(3 * (V_.cols() - std::ssize(control)));
+  solvable_ = engine_->set_control_vertices(control);
+}
+
+// The handles, and all vertices of components without a handle, which could move anywhere at no
+// cost.
+std::vector<int> CgalArap::control_vertices() {
+  DisjointSets sets(V_.cols());
   for (const auto t : T_.colwise()) {
-    links.emplace_back(t[0], t[1]);
-    links.emplace_back(t[0], t[2]);
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
   }
-  const std::vector<int> part = baselines::components(static_cast<int>(V_.cols()), links);
-  const int parts = *std::max_element(part.begin(), part.end()) + 1;
-  std::vector<char> held(V_.cols(), 0), part_held(parts, 0);
-  for (const auto* indices : {&handles_.fixed, &handles_.moved}) {
-    for (const int v : *indices) {
-      if (place_[v] >= 0) held[place_[v]] = part_held[part[place_[v]]] = 1;
+  const std::vector<int> component = sets.numbered();
+  std::vector<char> is_handle(V_.cols(), 0), has_handle(1 + std::ranges::max(component), 0);
+  for (const auto* vertices : {&handles_.fixed, &handles_.moved}) {
+    for (const int v : *vertices) {
+      const int i = index_[v];
+      if (i >= 0) is_handle[i] = has_handle[component[i]] = 1;
     }
   }
   std::vector<int> result;
-  for (int v = 0; v < V_.cols(); ++v) {
-    if (held[v] || !part_held[part[v]]) result.push_back(v);
+  for (int i = 0; i < V_.cols(); ++i) {
+    if (is_handle[i] || !has_handle[component[i]]) result.push_back(i);
   }
-  if (const auto free = std::count(part_held.begin(), part_held.end(), 0); free > 0) {
-    compilation_notes_.push_back(
-        "parts of the surface without a handle, which stay where they are: " +
-        std::to_string(free));
+  if (const auto free = std::ranges::count(has_handle, 0); free > 0) {
+    compilation_notes_.push_back(baselines::note_on_free_components(static_cast<int>(free)));
   }
   return result;
 }
 
 void CgalArap::set_targets(const Eigen::Matrix3Xd& targets) {
   for (const int v : handles_.fixed) {
-    if (place_[v] >= 0) engine_->set_targets(place_[v], rest_.V.col(v));
+    if (index_[v] >= 0) engine_->set_target(index_[v], rest_.V.col(v));
   }
   for (Eigen::Index l = 0; l < targets.cols(); ++l) {
     const int v = handles_.moved[l];
-    if (place_[v] >= 0) engine_->set_targets(place_[v], targets.col(l));
+    if (index_[v] >= 0) engine_->set_target(index_[v], targets.col(l));
   }
 }
 
@@ -217,15 +219,14 @@ std::pair<Status, std::string> CgalArap::iterate(Summary& summary, SpokesAndRims
   return {Status::kMaxIterations, "the energy still changes after the iterations allowed"};
 }
 
-Report CgalArap::update(const Eigen::Matrix3Xd& targets) {
-  check_targets(targets, std::ssize(handles_.moved));
-  Report report;
+void CgalArap::solve(const Eigen::Matrix3Xd& targets, Report& report) {
   Summary& summary = report.solve;
   summary.method = "cgal_arap";
   summary.linear_solver = "eigen_sparse_lu";
   summary.unknowns = unknowns_;
   if (!solvable_) {
-    summary.message = "CGAL cannot factorize the Laplacian: are there triangles without area?";
+    summary.message =
+        "CGAL cannot factorize the Laplacian; look for very thin triangles, and repair them";
   } else if (targets.size() > 0 && targets.cwiseAbs().maxCoeff() > kMostLength) {
     summary.message = "a target is too far away to compute with";
   } else {
@@ -246,11 +247,6 @@ Report CgalArap::update(const Eigen::Matrix3Xd& targets) {
     }
   }
   measure_handles(deformed_.V(Eigen::all, handles_.moved), targets, report);
-  report.seconds.insert(seconds_.begin(), seconds_.end());
-  report.seconds["solve"] = summary.seconds["total"];
-  report.notes = registration_notes_;
-  report.notes.insert(report.notes.end(), compilation_notes_.begin(), compilation_notes_.end());
-  return report;
 }
 
 void CgalArap::store(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& R) {

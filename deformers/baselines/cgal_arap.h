@@ -1,14 +1,13 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "deformers/baselines/baseline.h"
 #include "deformers/baselines/spokes_and_rims.h"
-#include "deformers/deformer.h"
 #include "geometry/core/options.h"
 
 namespace deformlab {
@@ -42,44 +41,43 @@ struct CgalArapOptions {
   }
 };
 
-/// As-rigid-as-possible surface deformation as CGAL has it (Surface_mesh_deformation). All vertices
-/// are in the region of interest, and those held are its control vertices.
+/// As-rigid-as-possible surface deformation by CGAL (Surface_mesh_deformation). All vertices are in
+/// CGAL's region of interest, and handles are its control vertices.
 ///
-/// The cost in reports is the energy of spokes and rims for every variant: what CGAL minimises is
-/// not accessible.
-class CgalArap final : public Deformer {
+/// The cost in reports is the energy of spokes and rims for every variant, because CGAL gives no
+/// access to the energy that it minimises.
+class CgalArap final : public Baseline {
  public:
-  /// Throws InputError for a shape that is no manifold triangle mesh, naming where it is not (other
-  /// polygons are cut into triangles) or has a triangle of no area, and for options out of range.
+  /// Registration. Polygons of more than three corners are cut into triangles. Throws InputError
+  /// for a shape whose triangles are no manifold mesh (the message names where they are not), for a
+  /// triangle without area, and for options out of range.
   explicit CgalArap(Shape rest, const CgalArapOptions& options = {});
   ~CgalArap() override;
 
-  /// Throws InputError as Deformer says, and for handles that are no vertices.
-  void compile(const Handles& handles) override;
-  Report update(const Eigen::Matrix3Xd& targets) override;
-  const Shape& deformed() const override { return deformed_; }
   void reset() override;
 
   class Engine;  ///< CGAL's class for one of the variants
 
  private:
+  /// Throws InputError for handles that are no vertices.
+  void check_supported(const Handles& handles) const override;
+  void compile_handles() override;
+  void solve(const Eigen::Matrix3Xd& targets, Report& report) override;
+
   void register_shape();
-  std::vector<int> hold_free_parts();
+  std::vector<int> control_vertices();
   void set_targets(const Eigen::Matrix3Xd& targets);
   std::pair<Status, std::string> iterate(Summary& summary, SpokesAndRims& state);
   void store(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& R);
 
   CgalArapOptions options_;
-  Shape rest_, deformed_;
-  std::vector<int> vertices_, place_;  // those in triangles; of each vertex its place there, or −1
-  Eigen::Matrix3Xi T_;                 // 3×m places
-  Eigen::Matrix3Xd V_, W_;             // 3×n at rest and deformed, by place
+  std::vector<int> vertices_;  // those in triangles, which are CGAL's mesh
+  std::vector<int> index_;     // the inverse: of each vertex of the shape its index there, or −1
+  Eigen::Matrix3Xi T_;         // 3×#T triangles of CGAL's mesh
+  Eigen::Matrix3Xd V_, W_;     // 3×#V of CGAL's mesh, at rest and deformed [length]
   std::unique_ptr<Engine> engine_;
-  Handles handles_;
   int unknowns_ = 0;
   bool solvable_ = true;
-  std::map<std::string, double> seconds_;
-  std::vector<std::string> registration_notes_, compilation_notes_;
 };
 
 }  // namespace deformlab

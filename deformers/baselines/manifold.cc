@@ -1,58 +1,32 @@
 #include "deformers/baselines/manifold.h"
 
-#include <algorithm>
-#include <tuple>
-#include <utility>
+#include <fmt/format.h>
+
 #include <vector>
 
-#include "deformers/baselines/shared.h"
+#include "deformers/baselines/sides.h"
+#include "geometry/core/disjoint_sets.h"
 
 namespace deformlab {
 namespace {
 
-// A side of a triangle, from its k-th corner to the next.
-struct Side {
-  int low, high;  // vertices
-  int triangle, k;
-  bool upward;  // from the lower vertex to the higher
-};
-
-std::vector<Side> sorted_sides(const Eigen::Matrix3Xi& T) {
-  std::vector<Side> sides;
-  for (int t = 0; t < T.cols(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const int from = T(k, t), to = T((k + 1) % 3, t);
-      sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return sides;
-}
-
 std::string name(const Side& side) {
-  return "the edge between vertices " + std::to_string(side.low) + " and " +
-         std::to_string(side.high);
+  return fmt::format("the edge between vertices {} and {}", side.low, side.high);
 }
 
-// Of the corners (3 t + k) of all triangles those that an edge joins.
-std::vector<std::pair<int, int>> joined_corners(const Side& a, const Side& b) {
-  const auto corner = [](const Side& s, bool low) {
-    return 3 * s.triangle + (low == s.upward ? s.k : (s.k + 1) % 3);
-  };
-  return {{corner(a, true), corner(b, true)}, {corner(a, false), corner(b, false)}};
+// The corner of a side at its lower or higher vertex, as the index 3 t + k among all corners.
+int corner(const Side& side, bool low) {
+  return 3 * side.triangle + (low == side.upward ? side.k : (side.k + 1) % 3);
 }
 
-// A vertex whose corners are not all joined over edges, or −1.
-int vertex_of_two_fans(const Eigen::Matrix3Xi& T, int n,
-                       const std::vector<std::pair<int, int>>& links) {
-  const std::vector<int> fan = baselines::components(static_cast<int>(T.size()), links);
+// A vertex whose corners are not all connected across edges (a set of `fans` is a fan of triangles
+// around a vertex), or −1 where there is none.
+int vertex_of_two_fans(const Eigen::Matrix3Xi& T, int n, DisjointSets fans) {
   std::vector<int> fan_of(n, -1);
   for (int c = 0; c < T.size(); ++c) {
     int& first = fan_of[T(c % 3, c / 3)];
-    if (first < 0) first = fan[c];
-    if (first != fan[c]) return T(c % 3, c / 3);
+    if (first < 0) first = fans.root(c);
+    if (first != fans.root(c)) return T(c % 3, c / 3);
   }
   return -1;
 }
@@ -61,22 +35,19 @@ int vertex_of_two_fans(const Eigen::Matrix3Xi& T, int n,
 
 std::string manifold_fault(const Eigen::Matrix3Xi& T, int n) {
   const std::vector<Side> sides = sorted_sides(T);
-  const auto same_edge = [](const Side& a, const Side& b) {
-    return a.low == b.low && a.high == b.high;
-  };
-  std::vector<std::pair<int, int>> links;
+  DisjointSets fans(T.size());
   for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
     const Side &a = sides[s], &b = sides[s + 1];
-    if (!same_edge(a, b)) continue;
-    if (s + 2 < sides.size() && same_edge(a, sides[s + 2])) {
+    if (!a.same_edge(b)) continue;
+    if (s + 2 < sides.size() && a.same_edge(sides[s + 2])) {
       return name(a) + " has more than two triangles";
     }
     if (a.upward == b.upward) return name(a) + " has two triangles that face opposite ways";
-    for (const auto& link : joined_corners(a, b)) links.push_back(link);
+    for (const bool low : {true, false}) fans.join(corner(a, low), corner(b, low));
   }
-  const int v = vertex_of_two_fans(T, n, links);
+  const int v = vertex_of_two_fans(T, n, fans);
   if (v < 0) return "";
-  return "vertex " + std::to_string(v) + " is a point where parts of the surface only touch";
+  return fmt::format("vertex {} is a point where parts of the surface only touch", v);
 }
 
 }  // namespace deformlab

@@ -1,24 +1,29 @@
 #include "deformers/baselines/primo_deformation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "deformers/baselines/prism_solver.h"
-#include "deformers/baselines/shared.h"
+#include "deformers/baselines/surface.h"
 #include "deformers/handle_checks.h"
-#include "geometry/core/error.h"
+#include "geometry/core/disjoint_sets.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // [mean side]
+constexpr double kSamePosition = 1e-6;  // distance [mean side]
+// Twice the area of a triangle [square of its longest side]. The corners of a thinner one do not
+// determine how its prism turns.
+constexpr double kThinnest = 1e-6;
 
 }  // namespace
 
 PrimoDeformation::PrimoDeformation(Shape rest, const PrimoOptions& options)
-    : options_(options), rest_(std::move(rest)), deformed_(rest_) {
+    : Baseline(std::move(rest)), options_(options) {
   check_options(options_);
   {
     Stopwatch watch(seconds_["register"]);
@@ -37,17 +42,15 @@ void PrimoDeformation::reset() {
   deformed_ = rest_;
 }
 
-void PrimoDeformation::compile(const Handles& handles) {
-  check_handles(handles, rest_.V.cols());
+void PrimoDeformation::check_supported(const Handles& handles) const {
   baselines::refuse_points(handles, "PriMo");
-  seconds_["compile"] = 0;
-  Stopwatch watch(seconds_["compile"]);
-  handles_ = handles;
-  compilation_notes_.clear();
+}
+
+void PrimoDeformation::compile_handles() {
   choose_prescribed();
   std::vector<Pin> pins = make_pins();
-  const std::vector<char> held = hold_free_parts(pins);
-  equations_ = std::make_unique<PrismEquations>(prisms_, std::move(pins), held);
+  const std::vector<char> fixed = fix_free_components(pins);
+  equations_ = std::make_unique<PrismEquations>(prisms_, std::move(pins), fixed);
 }
 
 void PrimoDeformation::choose_prescribed() {
@@ -62,7 +65,7 @@ void PrimoDeformation::choose_prescribed() {
     const Eigen::Vector3i corners = prisms_.T.col(i);
     const auto is_handle = [&](int v) { return handle_of_[v] >= 0; };
     if (!std::all_of(corners.begin(), corners.end(), is_handle)) continue;
-    if (is_thin(V_(Eigen::all, corners))) continue;
+    if (baselines::is_thin(V_(Eigen::all, corners), kThinnest)) continue;
     prescribed_[i] = 1;
     for (const int v : corners) on_prescribed_[v] = 1;
   }
@@ -79,50 +82,52 @@ std::vector<Pin> PrimoDeformation::make_pins() const {
   return pins;
 }
 
-// Marks the prescribed prisms, and those of parts without a handle: they would float at no cost.
-std::vector<char> PrimoDeformation::hold_free_parts(const std::vector<Pin>& pins) {
-  std::vector<std::pair<int, int>> links;
-  for (const Joint& joint : prisms_.joints) links.emplace_back(joint.i, joint.j);
+// Returns for each prism whether it is fixed: those that are prescribed, and those of components
+// without a handle, which could move anywhere at no cost. Finds the components that are pinned at
+// one point.
+std::vector<char> PrimoDeformation::fix_free_components(const std::vector<Pin>& pins) {
   const int m = static_cast<int>(prisms_.T.cols());
-  const std::vector<int> part = baselines::components(m, links);
-  const int parts = *std::max_element(part.begin(), part.end()) + 1;
+  DisjointSets sets(m);
+  for (const Joint& joint : prisms_.joints) sets.join(joint.i, joint.j);
+  const std::vector<int> component = sets.numbered();
+  const int components = 1 + std::ranges::max(component);
 
-  constexpr int kFree = -1, kAnchored = -2;  // else a pin, all of the part being where it is
-  std::vector<int> hold(parts, kFree);
+  // Of each component: kFree, kAnchored, or one of its pins where all of them are at one point.
+  constexpr int kFree = -1, kAnchored = -2;
+  std::vector<int> pin_of(components, kFree);
   for (int k = 0; k < std::ssize(pins); ++k) {
-    int& by = hold[part[pins[k].i]];
-    if (by == kFree) by = k;
-    if (by >= 0 && (pins[by].p - pins[k].p).norm() > kSamePlace) by = kAnchored;
+    int& pin = pin_of[component[pins[k].i]];
+    if (pin == kFree) pin = k;
+    if (pin >= 0 && (pins[pin].p - pins[k].p).norm() > kSamePosition) pin = kAnchored;
   }
   for (int i = 0; i < m; ++i) {
-    if (prescribed_[i]) hold[part[i]] = kAnchored;
+    if (prescribed_[i]) pin_of[component[i]] = kAnchored;
   }
-  std::vector<char> held = prescribed_;
+  std::vector<char> fixed = prescribed_;
   at_one_point_.clear();
-  std::vector<int> index(parts, -1);
+  std::vector<int> index(components, -1);
   for (int i = 0; i < m; ++i) {
-    const int p = part[i];
-    if (hold[p] == kFree) held[i] = 1;
-    if (hold[p] < 0) continue;
-    if (index[p] < 0) {
-      index[p] = static_cast<int>(at_one_point_.size());
-      at_one_point_.push_back({{}, hold[p]});
+    const int c = component[i];
+    if (pin_of[c] == kFree) fixed[i] = 1;
+    if (pin_of[c] < 0) continue;
+    if (index[c] < 0) {
+      index[c] = static_cast<int>(at_one_point_.size());
+      at_one_point_.push_back({{}, pin_of[c]});
     }
-    at_one_point_[index[p]].prisms.push_back(i);
+    at_one_point_[index[c]].prisms.push_back(i);
   }
-  if (const auto free = std::count(hold.begin(), hold.end(), kFree); free > 0) {
-    compilation_notes_.push_back(
-        "parts of the surface without a handle, which stay where they are: " +
-        std::to_string(free));
+  if (const auto free = std::ranges::count(pin_of, kFree); free > 0) {
+    compilation_notes_.push_back(baselines::note_on_free_components(static_cast<int>(free)));
   }
   if (!at_one_point_.empty()) {
-    compilation_notes_.push_back("parts held at one point only, which may turn about it freely: " +
-                                 std::to_string(at_one_point_.size()));
+    compilation_notes_.push_back(
+        fmt::format("parts with handles at one point only, which may turn about it freely: {}",
+                    at_one_point_.size()));
   }
-  return held;
+  return fixed;
 }
 
-// targets: 3×#handles, the fixed ones first [unit].
+// targets: 3×#handles, the fixed ones first [unit_].
 void PrimoDeformation::set_targets(const Eigen::Matrix3Xd& targets) {
   for (int i = 0; i < prisms_.T.cols(); ++i) {
     if (!prescribed_[i]) continue;
@@ -137,25 +142,23 @@ void PrimoDeformation::set_targets(const Eigen::Matrix3Xd& targets) {
   for (Pin& pin : equations_->pins()) pin.target = targets.col(pin.handle);
 }
 
-// A part held at one point may turn about it at no cost. It starts where its handle takes it
-// without turning, which is then a minimum: one handle is a translation.
-void PrimoDeformation::carry_along() {
-  for (const PointPin& part : at_one_point_) {
-    const Pin& pin = equations_->pins()[part.pin];
+// A component that is pinned at one point may turn about it at no cost. It is translated to its
+// target, where it is in a minimum at once. So one handle is a translation.
+void PrimoDeformation::translate_components() {
+  for (const PointPin& component : at_one_point_) {
+    const Pin& pin = equations_->pins()[component.pin];
     const Eigen::Vector3d t = pin.target - motions_.apply(prisms_, pin.i, pin.p);
-    for (const int i : part.prisms) motions_.c.col(i) += t;
+    for (const int i : component.prisms) motions_.c.col(i) += t;
   }
 }
 
-Report PrimoDeformation::update(const Eigen::Matrix3Xd& targets) {
+void PrimoDeformation::solve(const Eigen::Matrix3Xd& targets, Report& report) {
   const Eigen::Index fixed = std::ssize(handles_.fixed);
-  check_targets(targets, std::ssize(handles_.moved));
-  Report report;
   const RigidMotions before = motions_;
   Eigen::Matrix3Xd all(3, fixed + targets.cols());
   all << V_(Eigen::all, handles_.fixed), targets / unit_;
   set_targets(all);
-  carry_along();
+  translate_components();
   report.solve = minimize(*equations_, motions_, options_.epsilon, options_.max_iterations);
   if (report.solve.status == Status::kFailed) motions_ = before;
   {
@@ -166,11 +169,6 @@ Report PrimoDeformation::update(const Eigen::Matrix3Xd& targets) {
   report.edges = static_cast<int>(prisms_.joints.size());
   report.length_unit = unit_;
   measure_handles(deformed_.V(Eigen::all, handles_.moved), targets, report);
-  report.seconds.insert(seconds_.begin(), seconds_.end());
-  report.seconds["solve"] = report.solve.seconds["total"];
-  report.notes = registration_notes_;
-  report.notes.insert(report.notes.end(), compilation_notes_.begin(), compilation_notes_.end());
-  return report;
 }
 
 void PrimoDeformation::deform(const Eigen::Matrix3Xd& targets) {
@@ -193,7 +191,7 @@ void PrimoDeformation::deform(const Eigen::Matrix3Xd& targets) {
     const int v = handles_.moved[l];
     if (count[v] == 0) deformed_.V.col(v) = targets.col(l);
   }
-  for (const int v : handles_.fixed) deformed_.V.col(v) = rest_.V.col(v);  // free of rounding
+  for (const int v : handles_.fixed) deformed_.V.col(v) = rest_.V.col(v);  // without rounding
 }
 
 }  // namespace deformlab

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "deformers/baselines/baseline.h"
 #include "deformers/baselines/prism_equations.h"
-#include "deformers/deformer.h"
 #include "geometry/core/options.h"
 
 namespace deformlab {
@@ -37,60 +35,61 @@ struct PrimoOptions {
 };
 
 /// PriMo: Coupled Prisms for Intuitive Surface Modeling (Botsch, Pauly, Gross and Kobbelt 2006). A
-/// rigid prism stands on each triangle, neighbours are coupled by elastic joints, and a vertex is
-/// where the prisms around it have it on average. Needs triangles; they may form any surface.
+/// rigid prism stands on each triangle, and elastic joints couple neighbouring prisms. The position
+/// of a vertex is the mean over the prisms around it. The method needs triangles, which may form
+/// any surface.
 ///
-/// The joints' energy is minimised by the paper's global shape matching: Gauss–Newton steps over
-/// velocities, each projected to rigid motions, halved until the energy falls. The paper's
-/// hierarchical multigrid solver and its local shape matching, which make large meshes interactive
-/// there, are not here: every step factorizes the whole system.
+/// The energy of the joints is minimised by the paper's global shape matching: Gauss–Newton steps
+/// over velocities, each of which is projected to rigid motions and halved until the energy falls.
+/// The paper makes large meshes interactive by a hierarchical multigrid solver and by local shape
+/// matching. These are not implemented: every step factorizes the whole system.
 ///
-/// Handles prescribe the motion of prisms. Here they are vertices: a prism of three of them moves
-/// as their targets, fitted rigidly, and its vertices follow it alone. A handle without such a
-/// prism (a single vertex, a line of them) leaves the prisms around it free and pulls each at its
-/// corner.
-class PrimoDeformation final : public Deformer {
+/// Handles prescribe the motion of prisms. A prism whose three vertices are handles moves rigidly
+/// as it fits their targets best, and its vertices follow this prism alone. A handle without such a
+/// prism (a single vertex, or a line of vertices) leaves the prisms around it free and pulls each
+/// of them at its corner.
+///
+/// In a report, a node is a prism and an edge is a joint.
+class PrimoDeformation final : public Baseline {
  public:
-  /// Throws InputError for a shape without triangles and for options out of range.
+  /// Registration. Throws InputError for a shape without triangles and for options out of range.
   explicit PrimoDeformation(Shape rest, const PrimoOptions& options = {});
 
-  /// Throws InputError as Deformer says, and for handles that are no vertices.
-  void compile(const Handles& handles) override;
-  /// Report: a node is a prism, an edge is a joint.
-  Report update(const Eigen::Matrix3Xd& targets) override;
-  const Shape& deformed() const override { return deformed_; }
   void reset() override;
 
-  const PrismLayer& prisms() const { return prisms_; }      ///< in length_unit()s
-  const RigidMotions& motions() const { return motions_; }  ///< in length_unit()s
+  const PrismLayer& prisms() const { return prisms_; }      ///< lengths in length_unit()
+  const RigidMotions& motions() const { return motions_; }  ///< lengths in length_unit()
   double length_unit() const { return unit_; }              ///< mean side of a triangle [length]
 
  private:
+  /// Throws InputError for handles that are no vertices.
+  void check_supported(const Handles& handles) const override;
+  void compile_handles() override;
+  void solve(const Eigen::Matrix3Xd& targets, Report& report) override;
+
+  // A connected component whose pins are all at one point.
   struct PointPin {
     std::vector<int> prisms;
-    int pin;  // any: they are at one place
+    int pin;  // one of the pins
   };
 
   void choose_prescribed();
   std::vector<Pin> make_pins() const;
-  std::vector<char> hold_free_parts(const std::vector<Pin>& pins);
+  std::vector<char> fix_free_components(const std::vector<Pin>& pins);
   void set_targets(const Eigen::Matrix3Xd& targets);
-  void carry_along();
+  void translate_components();
   void deform(const Eigen::Matrix3Xd& targets);
 
   PrimoOptions options_;
-  Shape rest_, deformed_;
   double unit_ = 1;
-  Eigen::Matrix3Xd V_;  // rest_.V in units
+  Eigen::Matrix3Xd V_;  // rest_.V [unit_]
   PrismLayer prisms_;
   RigidMotions motions_;
-  Handles handles_;
-  std::vector<int> handle_of_;  // of each vertex the column of the targets, or −1
-  std::vector<char> prescribed_, on_prescribed_;  // of each prism, of each vertex
+  std::vector<int> handle_of_;    // #V: the column of the vertex in the handles' targets, or −1
+  std::vector<char> prescribed_;  // #prisms: whether handles prescribe its motion
+  std::vector<char> on_prescribed_;  // #V: whether the vertex belongs to such a prism
   std::vector<PointPin> at_one_point_;
   std::unique_ptr<PrismEquations> equations_;
-  std::map<std::string, double> seconds_;
-  std::vector<std::string> registration_notes_, compilation_notes_;
 };
 
 }  // namespace deformlab

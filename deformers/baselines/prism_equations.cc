@@ -10,7 +10,7 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-// R_i (p − b_i): the points of a prism from where its centroid is.
+// R_i (p − b_i): the points p of a prism, relative to its centroid.
 template <class Points>
 Eigen::Matrix<double, 3, Points::ColsAtCompileTime> arms(const PrismLayer& prisms,
                                                          const RigidMotions& motions, int i,
@@ -24,7 +24,7 @@ Eigen::Matrix3d cross_product_matrix(const Eigen::Vector3d& a) {
   return A;
 }
 
-// Σ JᵀJ′ over the columns a, a′ of two prisms' arms: a point moves by J (ω, v) = ω×a + v.
+// Σ JᵀJ′ over the columns of a and b, the arms of two prisms. A point moves by J (ω, v) = ω×a + v.
 template <class Arms>
 Eigen::Matrix<double, 6, 6> product(const Arms& a, const Arms& b) {
   Eigen::Matrix<double, 6, 6> block;
@@ -36,7 +36,7 @@ Eigen::Matrix<double, 6, 6> product(const Arms& a, const Arms& b) {
   return block;
 }
 
-// Σ Jᵀr.
+// Σ Jᵀr over the columns of the arms a and the residuals r.
 template <class Arms>
 Vector6 torque_and_force(const Arms& a, const Arms& r) {
   Vector6 sum = Vector6::Zero();
@@ -47,7 +47,7 @@ Vector6 torque_and_force(const Arms& a, const Arms& r) {
   return sum;
 }
 
-// Of a symmetric matrix the share that is positive semidefinite.
+// The positive semidefinite part of a symmetric matrix.
 Eigen::Matrix3d convex_part(const Eigen::Matrix3d& K) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(K);
   const Eigen::Matrix3d& U = eigen.eigenvectors();
@@ -57,14 +57,14 @@ Eigen::Matrix3d convex_part(const Eigen::Matrix3d& K) {
 }  // namespace
 
 PrismEquations::PrismEquations(const PrismLayer& prisms, std::vector<Pin> pins,
-                               const std::vector<char>& held)
+                               const std::vector<char>& fixed)
     : prisms_(prisms),
       pins_(std::move(pins)),
-      place_(held.size(), -1),
+      index_(fixed.size(), -1),
       solver_(make_linear_solver("cholmod")) {
   int n = 0;
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (!held[i]) place_[i] = n++;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (!fixed[i]) index_[i] = n++;
   }
   Jtr_.setZero(6 * n);
   delta_.setZero(6 * n);
@@ -77,23 +77,24 @@ PrismEquations::PrismEquations(const PrismLayer& prisms, std::vector<Pin> pins,
 
 void PrismEquations::find_order() {
   const Eigen::VectorXi order = solver_->order(H_, 6);
-  std::vector<int> place_of(rows_.size(), -1);
+  std::vector<int> new_index(rows_.size(), -1);
   int next = 0;
   for (const int unknown : order) {
-    int& place = place_of[unknown / 6];
-    if (place < 0) place = next++;  // the six of a prism stay together
+    int& index = new_index[unknown / 6];
+    if (index < 0) index = next++;  // the six unknowns of a prism stay together
   }
-  for (int& place : place_) {
-    if (place >= 0) place = place_of[place];
+  for (int& index : index_) {
+    if (index >= 0) index = new_index[index];
   }
 }
 
-// Of a prism's six columns the c-th has the diagonal block from row c on, then the later blocks.
+// The c-th of a prism's six columns has the diagonal block from row c on, and then the blocks of
+// the later prisms that it is joined to.
 void PrismEquations::build_structure() {
   const int n = unknowns() / 6;
   rows_.assign(n, {});
   for (const Joint& joint : prisms_.joints) {
-    const auto [first, second] = std::minmax({place_[joint.i], place_[joint.j]});
+    const auto [first, second] = std::minmax({index_[joint.i], index_[joint.j]});
     if (first >= 0) rows_[first].push_back(second);
   }
   std::vector<Eigen::Triplet<double>> entries;
@@ -155,7 +156,7 @@ void PrismEquations::linearize(const RigidMotions& motions) {
   Jtr_.setZero();
   Eigen::Matrix3Xd C = Eigen::Matrix3Xd::Zero(3, unknowns() / 2);
   for (const auto& [i, j, weight, p] : prisms_.joints) {
-    const int I = place_[i], J = place_[j];
+    const int I = index_[i], J = index_[j];
     if (I < 0 && J < 0) continue;
     const Eigen::Matrix<double, 3, 4> a = arms(prisms_, motions, i, p),
                                       b = arms(prisms_, motions, j, p);
@@ -170,7 +171,7 @@ void PrismEquations::linearize(const RigidMotions& motions) {
     if (J >= 0) C.middleCols<3>(3 * J) -= weight * b * r.transpose();
   }
   for (const Pin& pin : pins_) {
-    const int I = place_[pin.i];
+    const int I = index_[pin.i];
     if (I < 0) continue;
     const Eigen::Vector3d a = arms(prisms_, motions, pin.i, pin.p);
     const Eigen::Vector3d r = a + motions.c.col(pin.i) - pin.target;
@@ -181,8 +182,8 @@ void PrismEquations::linearize(const RigidMotions& motions) {
   add_curvature(C);
 }
 
-// A rotation moves an arm by ω×a + ½ ω×(ω×a): E's second derivative has beside JᵀJ, for each prism,
-// ½(C + Cᵀ) − tr(C) I, C = Σ a rᵀ.
+// A rotation moves an arm by ω×a + ½ ω×(ω×a). So half of E's second derivative is JᵀJ and, for each
+// prism, ½(C + Cᵀ) − tr(C) I with C = Σ a rᵀ.
 void PrismEquations::add_curvature(const Eigen::Matrix3Xd& C) {
   concave_.resize(3, C.cols());
   Matrix6 block = Matrix6::Zero();
@@ -209,9 +210,9 @@ bool PrismEquations::solve(bool full, double lambda, Eigen::MatrixXd& velocities
   }
   if (!solver_->factorize(damped_)) return false;
   solver_->solve(-Jtr_, delta_);
-  velocities.setZero(6, std::ssize(place_));
+  velocities.setZero(6, std::ssize(index_));
   for (int i = 0; i < velocities.cols(); ++i) {
-    if (place_[i] >= 0) velocities.col(i) = delta_.segment<6>(6 * place_[i]);
+    if (index_[i] >= 0) velocities.col(i) = delta_.segment<6>(6 * index_[i]);
   }
   return delta_.allFinite();
 }
@@ -219,7 +220,7 @@ bool PrismEquations::solve(bool full, double lambda, Eigen::MatrixXd& velocities
 double PrismEquations::slope(const Eigen::MatrixXd& velocities) const {
   double sum = 0;
   for (int i = 0; i < velocities.cols(); ++i) {
-    if (place_[i] >= 0) sum += velocities.col(i).dot(Jtr_.segment<6>(6 * place_[i]));
+    if (index_[i] >= 0) sum += velocities.col(i).dot(Jtr_.segment<6>(6 * index_[i]));
   }
   return sum;
 }

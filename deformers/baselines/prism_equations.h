@@ -4,44 +4,44 @@
 #include <memory>
 #include <vector>
 
-#include "deformers/baselines/prisms.h"
+#include "deformers/baselines/prism_layer.h"
 #include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 
-/// Pulls a point of a prism to where a handle is.
+/// Pulls a point of a prism to the target of a handle.
 struct Pin {
   int i;                   ///< prism
   int handle;              ///< column of the handles' targets
-  double weight;           ///< of the squared distance
+  double weight;           ///< factor of the squared distance
   Eigen::Vector3d p;       ///< at rest [length]
   Eigen::Vector3d target;  ///< [length]
 };
 
-/// The energy E of joints and pins over the motions of prisms, and its Gauss–Newton steps: E is
-/// minimised over velocities, to which the motions are linear (the global shape matching of Botsch,
-/// Pauly, Gross and Kobbelt 2006). Held prisms have none.
+/// The energy E of joints and pins as a function of the prisms' motions, and its Gauss–Newton
+/// steps. A step minimises E over velocities, in which the motions are linearized (the global shape
+/// matching of Botsch, Pauly, Gross and Kobbelt 2006). Fixed prisms have no velocity.
 class PrismEquations {
  public:
-  /// Finds the fill-reducing order. `prisms` has to outlive this.
-  ///   held  one entry a prism
-  PrismEquations(const PrismLayer& prisms, std::vector<Pin> pins, const std::vector<char>& held);
+  /// Finds the fill-reducing order. `prisms` has to outlive this object.
+  ///   fixed  #prisms, whether the prism does not move
+  PrismEquations(const PrismLayer& prisms, std::vector<Pin> pins, const std::vector<char>& fixed);
 
   std::vector<Pin>& pins() { return pins_; }
   const std::vector<Pin>& pins() const { return pins_; }
 
   double joint_energy(const RigidMotions& motions) const;  ///< [length²]
   double pin_energy(const RigidMotions& motions) const;    ///< [length²]
-  double energy(const RigidMotions& motions) const;        ///< E, of both
+  double energy(const RigidMotions& motions) const;        ///< E, the sum of both [length²]
 
-  /// H and Jᵀr at these motions. H is half of E's second derivative, with what makes it concave
-  /// kept apart.
+  /// Computes H and Jᵀr at these motions. H is the positive semidefinite part of half of E's second
+  /// derivative; the part that makes it concave is kept apart.
   void linearize(const RigidMotions& motions);
-  /// δ = −(H + λ D)⁻¹ Jᵀr as velocities (6×m: ω_i, v_i), D the mean of each prism's diagonal; with
-  /// the concave part of H where `full`. False where the matrix is not positive definite, or
-  /// singular in double precision.
+  /// Computes the step δ = −(H + λ D)⁻¹ Jᵀr as velocities (6×m: ω_i, v_i). D is the mean of each
+  /// prism's diagonal. Where `full`, H is taken with its concave part. Returns false where the
+  /// matrix is not positive definite, or singular in double precision.
   bool solve(bool full, double lambda, Eigen::MatrixXd& velocities);
-  /// δᵀJᵀr, half the slope of E along velocities.
+  /// δᵀJᵀr, which is half of the slope of E along the velocities.
   double slope(const Eigen::MatrixXd& velocities) const;
 
   double gradient_max() const { return 2 * Jtr_.lpNorm<Eigen::Infinity>(); }  ///< ‖∇E‖∞
@@ -59,10 +59,10 @@ class PrismEquations {
 
   const PrismLayer& prisms_;
   std::vector<Pin> pins_;
-  std::vector<int> place_;              // of each prism among the free ones, or −1
-  std::vector<std::vector<int>> rows_;  // of each place the later ones it is joined to
+  std::vector<int> index_;              // of each prism its index among the free ones, or −1
+  std::vector<std::vector<int>> rows_;  // of each free prism the later ones that it is joined to
   SparseMatrix H_, damped_;
-  Eigen::Matrix3Xd concave_;  // of the rotations, 3×3 a place
+  Eigen::Matrix3Xd concave_;  // of the rotations, 3×3 for each free prism
   Eigen::VectorXd Jtr_, delta_;
   std::unique_ptr<LinearSolver> solver_;
 };

@@ -10,10 +10,10 @@
 namespace deformlab {
 namespace {
 
-constexpr double kSufficientDecrease = 1e-4;  // of E, as a share of what the slope promises
+constexpr double kSufficientDecrease = 1e-4;  // of E [decrease that the slope predicts]
 constexpr double kSmallestStep = 1e-6;
-constexpr double kRounding = 1e-13;      // of 1 + E, as in Eq. 12: less is not uphill
-constexpr double kLeastDamping = 1e-12;  // softer than any bending, so that free parts may turn
+constexpr double kRounding = 1e-13;      // a smaller increase of E does not count [1 + E]
+constexpr double kLeastDamping = 1e-12;  // lets components turn that are pinned at one point
 
 class Descent {
  public:
@@ -28,7 +28,7 @@ class Descent {
 
   std::pair<Status, std::string> iterate(double epsilon, int max_iterations) {
     if (!std::isfinite(cost_)) return {Status::kFailed, "E is not finite at the start"};
-    if (equations_.unknowns() == 0) return {Status::kConverged, "every prism is held"};
+    if (equations_.unknowns() == 0) return {Status::kConverged, "every prism is fixed"};
     linearize();
     for (int k = 0; k < max_iterations; ++k) {
       Iteration iteration;

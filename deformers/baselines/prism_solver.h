@@ -5,8 +5,9 @@
 
 namespace deformlab {
 
-/// Minimises E by Gauss–Newton steps from the given motions, which are left at the result; each
-/// step is halved until E falls. Ends by the three conditions of Sumner et al. 2007, Eq. 12.
+/// Minimises E by Gauss–Newton steps from the given motions and sets them to the result. Each step
+/// is halved until E falls. The iteration ends when the three conditions of Sumner et al. 2007, Eq.
+/// 12, hold.
 Summary minimize(PrismEquations& equations, RigidMotions& motions, double epsilon,
                  int max_iterations);
 

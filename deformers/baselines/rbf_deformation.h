@@ -1,11 +1,8 @@
 #pragma once
 
 #include <Eigen/QR>
-#include <map>
-#include <string>
-#include <vector>
 
-#include "deformers/deformer.h"
+#include "deformers/baselines/baseline.h"
 #include "geometry/core/options.h"
 
 namespace deformlab {
@@ -25,27 +22,28 @@ struct RbfOptions {
   }
 };
 
-/// Real-time shape editing using radial basis functions (Botsch and Kobbelt 2005): space is
-/// displaced by d(x) = Σ_j w_j φ(‖x − c_j‖) + p(x), triharmonic φ(r) = r³, p linear, Σ_j w_j q(c_j)
-/// = 0 for every linear q. The centres are the handles where there are no more than max_centers of
-/// them, and d interpolates; else a subset, each the farthest from those before it, and d is the
-/// least-squares fit to all handles. The method is linear: it moves features without turning them.
+/// Real-time shape editing using radial basis functions (Botsch and Kobbelt 2005). Space is
+/// displaced by d(x) = Σ_j w_j φ(‖x − c_j‖) + p(x) with triharmonic φ(r) = r³, linear p, and Σ_j
+/// w_j q(c_j) = 0 for every linear q. Where there are at most max_centers handles, they are the
+/// centres, and d interpolates their displacements. Otherwise the centres are a subset of the
+/// handles, each the farthest from those chosen before it, and d is the least-squares fit to all
+/// handles. The method is linear: it moves features without turning them.
 ///
-/// Where the handles span no more than a plane, a line or a point, p is linear along them and
-/// constant across: one handle translates, none leaves all at rest.
-class RbfDeformation final : public Deformer {
+/// Where the handles span only a plane, a line or a point, p is linear along it and constant across
+/// it. So one handle translates the shape. Without a handle the shape stays at rest.
+class RbfDeformation final : public Baseline {
  public:
   /// Throws InputError for a shape or options that cannot be used.
   explicit RbfDeformation(Shape rest, const RbfOptions& options = {});
 
-  void compile(const Handles& handles) override;
-  Report update(const Eigen::Matrix3Xd& targets) override;
-  const Shape& deformed() const override { return deformed_; }
   void reset() override { deformed_ = rest_; }
 
   const Eigen::Matrix3Xd& centers() const { return centers_; }  ///< 3×n c_j [length]
 
  private:
+  void compile_handles() override;
+  void solve(const Eigen::Matrix3Xd& targets, Report& report) override;
+
   void choose_centers();
   void choose_polynomials();
   void factorize();
@@ -56,18 +54,14 @@ class RbfDeformation final : public Deformer {
   bool deform();
 
   RbfOptions options_;
-  Shape rest_, deformed_;
-  std::vector<int> fixed_;
-  Eigen::Matrix3Xd handles_;  // fixed, moved, points [length]
-  double extent_ = 1;         // of the handles [length]; r and p are measured in it
+  Eigen::Matrix3Xd points_;  // 3×#handles at rest: fixed, moved, then points [length]
+  double extent_ = 1;        // of the handles [length]; the unit of r and of p's coordinates
   Eigen::Matrix3Xd centers_;
-  Eigen::Vector3d origin_;                               // of p
-  Eigen::MatrixXd axes_;                                 // 3×k, along which p is linear
-  Eigen::HouseholderQR<Eigen::MatrixXd> sides_, solve_;  // of the side conditions, of the fit
-  Eigen::MatrixXd basis_;                                // (n+1+k)×#V, or empty
-  Eigen::MatrixXd w_;                                    // 3×(n+1+k): w_j, then p's [length]
-  std::map<std::string, double> seconds_;
-  std::vector<std::string> notes_;
+  Eigen::Vector3d origin_;  // of p's coordinates
+  Eigen::MatrixXd axes_;    // 3×k directions in which p is linear
+  Eigen::HouseholderQR<Eigen::MatrixXd> side_conditions_, fit_;
+  Eigen::MatrixXd basis_;  // (n+1+k)×#V, or empty
+  Eigen::MatrixXd w_;      // 3×(n+1+k): w_j, then p [length]
 };
 
 }  // namespace deformlab

@@ -9,7 +9,7 @@
 namespace deformlab {
 namespace {
 
-// The sides of a triangle, and the cotangents of the angles opposite to them.
+// The sides of a triangle as columns, and the cotangents of the angles opposite to them.
 struct Sides {
   Eigen::Matrix3d p;
   Eigen::Vector3d cot;
@@ -24,7 +24,7 @@ Eigen::Matrix3d sides(const Eigen::Matrix3Xd& V, const Eigen::Vector3i& t) {
 Sides weighted_sides(const Eigen::Matrix3Xd& V, const Eigen::Vector3i& t) {
   Sides s{sides(V, t), Eigen::Vector3d::Zero()};
   const double twice_area = s.p.col(0).cross(s.p.col(1)).norm();
-  if (twice_area == 0) return s;  // as CGAL weighs them
+  if (twice_area == 0) return s;  // CGAL's weights are 0 here too
   for (int k = 0; k < 3; ++k) {
     s.cot[k] = -s.p.col((k + 1) % 3).dot(s.p.col((k + 2) % 3)) / twice_area;
   }

@@ -7,23 +7,13 @@
 #include <cmath>
 
 #include "deformers/baselines/manifold.h"
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-template <class Action>
-std::string error_of(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 // The left column of a plane fixed, the right one lifted.
 Report lift(CgalArap& deformer, const Shape& plane, int n, double height) {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "deformers/baselines/primo_deformation.h"
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -43,19 +43,19 @@ double mean_edge_error(const Shape& rest, const Eigen::Matrix3Xd& V) {
   return sum / static_cast<double>(T.size());
 }
 
-// Where the place x of a strip comes to lie that is bent into a quarter of a circle.
+// The position of v after the strip is bent into a quarter of a circle.
 Eigen::Vector3d bent(const Eigen::Vector3d& v) {
   const double radius = 4 / std::numbers::pi, angle = v.x() / radius;
   return {radius * std::sin(angle), v.y(), radius * (1 - std::cos(angle))};
 }
 
-// The strip whose ends are held as a quarter of a circle has them.
+// Deforms the strip by handles at both ends, whose targets lie on a quarter of a circle.
 Eigen::Matrix3Xd bend(const Shape& shape, int columns, const PrimoOptions& options = {}) {
   Handles handles;
-  const int held = (columns - 1) / 10 + 1;
+  const int at_end = (columns - 1) / 10 + 1;
   for (int i = 0; i < shape.V.cols(); ++i) {
     const int x = i % columns;
-    if (x < held || x >= columns - held) handles.moved.push_back(i);
+    if (x < at_end || x >= columns - at_end) handles.moved.push_back(i);
   }
   PrimoDeformation deformer(shape, options);
   deformer.compile(handles);
@@ -77,7 +77,7 @@ TEST(Primo, BendsAStripToTheArcAndKeepsItsEdges) {
 }
 
 TEST(Primo, BendsAlikeAtAnotherResolution) {
-  // The middle of a plane whose right edge is lifted; its left one is held.
+  // The middle of a plane whose right edge is lifted; its left one is fixed.
   const auto middle = [](int n) -> Eigen::Vector3d {
     const Shape plane = bumpy_plane(n, 1, 0);
     Handles handles;
@@ -121,7 +121,7 @@ TEST(Primo, ConvergesInAFewStepsAtAnyResolution) {
 }
 
 TEST(Primo, HigherPrismsBendLess) {
-  // One end of a strip is lifted: the same bend leaves more in joints that are higher.
+  // One end of a strip is lifted. The same bend leaves more energy in joints of higher prisms.
   const Shape shape = strip(41, 5);
   double last = 0;
   for (const double height : {0.01, 0.05, 0.2}) {
@@ -141,10 +141,10 @@ TEST(Primo, TheSlopeIsThatOfTheEnergy) {
   const Shape plane = bumpy_plane(6);
   const PrismLayer prisms = make_prisms(plane.V, triangles(plane), 0.1);
   const auto m = static_cast<int>(prisms.T.cols());
-  std::vector<char> held(m, 0);
-  held[3] = 1;
+  std::vector<char> fixed(m, 0);
+  fixed[3] = 1;
   const Eigen::Vector3d p = plane.V.col(prisms.T(0, 10));
-  PrismEquations equations(prisms, {{10, 0, 2.0, p, p + Eigen::Vector3d(0, 0.1, 0.2)}}, held);
+  PrismEquations equations(prisms, {{10, 0, 2.0, p, p + Eigen::Vector3d(0, 0.1, 0.2)}}, fixed);
   const auto velocities = [&](unsigned seed) {
     Eigen::MatrixXd result(6, m);
     result << random_points(m, {1, 1, 1}, seed), random_points(m, {1, 1, 1}, seed + 1);
@@ -166,13 +166,13 @@ TEST(Primo, TheSlopeIsThatOfTheEnergy) {
 }
 
 TEST(Primo, TheStepIsThatOfTheSecondDerivative) {
-  // Near a minimum a full step ends there: the error falls by squares.
+  // Near a minimum a full step ends close to it: the error decreases quadratically.
   const Shape plane = bumpy_plane(6);
   const PrismLayer prisms = make_prisms(plane.V, triangles(plane), 0.1);
   const auto m = static_cast<int>(prisms.T.cols());
-  std::vector<char> held(m, 0);
-  held[0] = 1;
-  PrismEquations equations(prisms, {}, held);
+  std::vector<char> fixed(m, 0);
+  fixed[0] = 1;
+  PrismEquations equations(prisms, {}, fixed);
   Eigen::MatrixXd v(6, m);
   v << random_points(m, {1, 1, 1}, 1), 0.1 * random_points(m, {1, 1, 1}, 2);
   v.col(0).setZero();
@@ -185,7 +185,7 @@ TEST(Primo, TheStepIsThatOfTheSecondDerivative) {
   EXPECT_LT(equations.energy(next), 1e-4 * start);
 }
 
-TEST(Primo, AVertexMayBeHeldWithoutATriangle) {
+TEST(Primo, AVertexMayBeAHandleWithoutATriangle) {
   const Shape plane = bumpy_plane(12);
   PrimoDeformation deformer(plane);
   deformer.compile({{0, 1, 2, 3, 12, 13, 14, 15}, {143}});
@@ -210,7 +210,7 @@ TEST(Primo, TakesSoupsAndSurfacesThatAreNoManifold) {
   PrimoDeformation each(triangles);
   each.compile({{}, {30}});
   const Report report = each.update(triangles.V.col(30) + Eigen::Vector3d(1, 0, 0));
-  EXPECT_THAT(report.notes, Contains(HasSubstr("held at one point only")));
+  EXPECT_THAT(report.notes, Contains(HasSubstr("at one point only")));
   Eigen::Matrix3Xd expected = triangles.V;
   expected.middleCols<3>(30).row(0).array() += 1;
   EXPECT_LT((each.deformed().V - expected).cwiseAbs().maxCoeff(), 1e-9);
@@ -220,12 +220,7 @@ TEST(Primo, OptionsOutOfRange) {
   const auto refused = [](auto&& change) -> std::string {
     PrimoOptions options;
     change(options);
-    try {
-      PrimoDeformation deformer(bumpy_plane(5), options);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return error_of([&] { PrimoDeformation(bumpy_plane(5), options); });
   };
   for (const double bad : {0.0, -1.0, 1e9, double(NAN)}) {
     EXPECT_THAT(refused([&](auto& o) { o.height = bad; }), HasSubstr("height is")) << bad;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "deformers/baselines/rbf_deformation.h"
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -109,7 +109,7 @@ TEST(Rbf, HandlesThatSpanLessThanSpace) {
   const struct {
     std::vector<int> moved;
     const char* note;
-  } cases[] = {{{7}, "one place"}, {{0, 3, 9}, "on a line"}, {{0, 9, 90, 99}, "in a plane"}};
+  } cases[] = {{{7}, "at one point"}, {{0, 3, 9}, "on a line"}, {{0, 9, 90, 99}, "in a plane"}};
   for (const auto& [moved, note] : cases) {
     RbfDeformation deformer(plane);
     deformer.compile({{}, moved});
@@ -120,7 +120,7 @@ TEST(Rbf, HandlesThatSpanLessThanSpace) {
   }
 }
 
-TEST(Rbf, HandlesInOnePlaceMoveByTheirMean) {
+TEST(Rbf, HandlesAtOnePointMoveByTheirMean) {
   Shape shape = point_set(50);
   shape.V.col(1) = shape.V.col(0);
   RbfDeformation deformer(shape);
@@ -134,12 +134,7 @@ TEST(Rbf, HandlesInOnePlaceMoveByTheirMean) {
 
 TEST(Rbf, OptionsOutOfRange) {
   const auto refused = [](int centers, int megabytes) -> std::string {
-    try {
-      RbfDeformation deformer(point_set(10), {centers, megabytes});
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return error_of([&] { RbfDeformation(point_set(10), {centers, megabytes}); });
   };
   EXPECT_THAT(refused(0, 1), HasSubstr("max_centers is 0"));
   EXPECT_THAT(refused(1000000, 1), HasSubstr("max_centers is 1000000"));

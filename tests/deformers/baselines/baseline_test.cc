@@ -10,7 +10,7 @@
 #include "deformers/baselines/cgal_arap.h"
 #include "deformers/baselines/primo_deformation.h"
 #include "deformers/baselines/rbf_deformation.h"
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 
 struct Method {
   std::string name;
-  bool of_surfaces;  // or of space
+  bool of_surfaces;  // it deforms surfaces; otherwise it deforms space
   std::function<std::unique_ptr<Deformer>(const Shape&)> make;
 };
 
@@ -55,7 +55,8 @@ class Baseline : public ::testing::TestWithParam<Method> {
 INSTANTIATE_TEST_SUITE_P(Every, Baseline, ::testing::ValuesIn(methods()),
                          [](const auto& test) { return test.param.name; });
 
-// Of an n×n plane the vertices whose column is below `left` or `right` at most from the other end.
+// Handles of an n×n plane: the vertices in its first `left` columns are fixed, those in its last
+// `right` columns are moved.
 Handles strips(int n, int left, int right) {
   Handles handles;
   for (int i = 0; i < n * n; ++i) {
@@ -75,16 +76,6 @@ Eigen::Matrix3Xd lifted(const Shape& shape, const Handles& handles, double heigh
 
 double farthest(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
   return (a - b).colwise().norm().maxCoeff();
-}
-
-template <class Action>
-std::string error_of(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST_P(Baseline, ARigidMotionOfTheHandlesIsOneOfEverything) {
@@ -200,7 +191,7 @@ TEST_P(Baseline, OtherHandlesContinueFromWhereTheLastEnded) {
   const Report report = deformer->update(lifted(plane, handles, 0.3));
   EXPECT_EQ(report.solve.status, Status::kConverged);
   EXPECT_LT(report.handle_max, 1e-5);  // PriMo pulls a line of vertices by weights
-  // And back to rest, as if nothing had been.
+  // Back at rest, the shape is as before.
   deformer->update(at(plane, handles.moved));
   EXPECT_LT(farthest(deformer->deformed().V, plane.V), 1e-4);
 }
@@ -218,7 +209,7 @@ TEST_P(Baseline, PartsWithoutAHandleStay) {
   EXPECT_LT(farthest(deformer->deformed().V.rightCols(144), two.V.rightCols(144)), 1e-12);
 }
 
-TEST_P(Baseline, EveryVertexMayBeHeld) {
+TEST_P(Baseline, EveryVertexMayBeAHandle) {
   const Shape plane = bumpy_plane(6);
   const std::unique_ptr<Deformer> deformer = make(plane);
   Handles handles = strips(6, 0, 6);
@@ -303,7 +294,7 @@ TEST_P(Baseline, HandlesThatAreNoVerticesAreForSpaceOnly) {
 }
 
 TEST_P(Baseline, TrianglesOfNoAreaDoNoHarm) {
-  // One among what is held, one among the rest; each has its corners on a line.
+  // One of two such triangles is among the handles. The corners of each lie on a line.
   Shape plane = bumpy_plane(12);
   plane.N.resize(3, 0);
   for (auto& face : plane.faces) {

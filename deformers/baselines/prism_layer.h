@@ -7,32 +7,30 @@
 
 namespace deformlab {
 
-/// Where two prisms share a face at rest. The squared distance of what has become of it in each,
-/// ∫ ‖f^{i→j}(u) − f^{j→i}(u)‖² du over [0, 1]², f bilinear, is the mean over the four Gauss
-/// points.
+/// A face that two prisms share at rest. The joint's energy is the squared distance of the images
+/// of this face under the motions of the two prisms, ∫ ‖f^{i→j}(u) − f^{j→i}(u)‖² du over [0, 1]²
+/// with bilinear f. It is the mean over the four Gauss points.
 struct Joint {
   int i, j;                       ///< prisms
   double weight;                  ///< w_ij / 4
   Eigen::Matrix<double, 3, 4> p;  ///< the Gauss points at rest [length]
 };
 
-/// A rigid prism for each triangle of a surface, its corners extruded along the vertices' normals
-/// by half a height to either side (Botsch, Pauly, Gross and Kobbelt 2006).
+/// One rigid prism for each triangle of a surface. It is the triangle extruded along the normals of
+/// its vertices by half of the height to either side (Botsch, Pauly, Gross and Kobbelt 2006).
 struct PrismLayer {
   Eigen::Matrix3Xi T;         ///< 3×m vertices of each prism's triangle
   Eigen::Matrix3Xd b;         ///< 3×m centroids of the triangles at rest [length]
   std::vector<Joint> joints;  ///< with w_ij = ‖e_ij‖² / (A_i + A_j)
 };
 
-/// Where more than two triangles have an edge in common, each is joined to the next in their order.
-///   V  3×#V vertices, T  3×m triangles of three different vertices each, height > 0 [length].
+/// Where more than two triangles share an edge, each is joined to the next one in their order.
+///   V       3×#V vertices [length]
+///   T       3×m triangles, three different vertices each
+///   height  of the prisms, positive [length]
 PrismLayer make_prisms(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, double height);
 
-/// Whether corners (3×3 in columns) lie on a line or in a point, as far as a double can tell: no
-/// motion of theirs says how a prism on them turns.
-bool is_thin(const Eigen::Matrix3d& corners);
-
-/// Mean length of the triangles' sides [length]; 1 where all are points.
+/// The mean length of the triangles' sides [length]; 1 where all triangles are points.
 double mean_side(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T);
 
 /// Rigid motions of prisms: x ↦ R_i (x − b_i) + c_i.
@@ -48,13 +46,14 @@ struct RigidMotions {
   }
 };
 
-/// The motion of one prism that takes its triangle closest to `corners` (3×3 vertices in columns),
-/// in the sense of least squares.
+/// Sets the motion of prism i to the one that takes its triangle `rest` closest to `corners` in the
+/// least-squares sense (both 3×3, vertices in columns).
 void fit_rigidly(const Eigen::Matrix3d& rest, const Eigen::Matrix3d& corners, int i,
                  RigidMotions& motions);
 
-/// From one state along velocities (6×m: ω_i, v_i), `scale` of the way. The linear motion x + ω×(x
-/// − c) + v is projected to the closest rigid one, a rotation about ω by atan ‖ω‖.
+/// Sets `to` to the motions after a step from `from` of length `scale` along velocities (6×m: ω_i,
+/// v_i). The linear motion x + ω×(x − c) + v is projected to the closest rigid one, which is a
+/// rotation about ω by atan ‖ω‖.
 void move(const RigidMotions& from, const Eigen::MatrixXd& velocities, double scale,
           RigidMotions& to);
 

@@ -1,4 +1,4 @@
-#include "deformers/baselines/prisms.h"
+#include "deformers/baselines/prism_layer.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -6,31 +6,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
+
+#include "deformers/baselines/sides.h"
 
 namespace deformlab {
 namespace {
 
-constexpr double kFlattest = 1e-6;  // area in ‖e_ij‖²: what a sliver counts for at least
-
-struct Side {
-  int a, b, triangle;  // a < b
-};
-
-// Every side of every triangle, those of one edge together and in the triangles' order.
-std::vector<Side> sorted_sides(const Eigen::Matrix3Xi& T) {
-  std::vector<Side> sides;
-  for (int t = 0; t < T.cols(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(T(k, t), T((k + 1) % 3, t));
-      sides.push_back({a, b, t});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    return std::tie(s.a, s.b, s.triangle) < std::tie(t.a, t.b, t.triangle);
-  });
-  return sides;
-}
+// The least area of the two triangles at a joint, as a multiple of ‖e_ij‖²: it bounds the weights
+// of slivers.
+constexpr double kLeastArea = 1e-6;
 
 Eigen::VectorXd areas(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
   Eigen::VectorXd A(T.cols());
@@ -41,7 +25,8 @@ Eigen::VectorXd areas(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
   return A;
 }
 
-// The points of the extruded edge that integrate polynomials of third degree each way exactly.
+// The Gauss points of an edge v that is extruded by ±up. They integrate polynomials of third degree
+// in each direction exactly.
 Eigen::Matrix<double, 3, 4> gauss_points(const Eigen::Matrix<double, 3, 2>& v,
                                          const Eigen::Matrix<double, 3, 2>& up) {
   constexpr double kAt = std::numbers::inv_sqrt3;
@@ -69,22 +54,16 @@ PrismLayer make_prisms(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, dou
   const Eigen::VectorXd A = areas(V, T);
   const std::vector<Side> sides = sorted_sides(T);
   for (std::size_t s = 1; s < sides.size(); ++s) {
-    const auto [a, b, i] = sides[s - 1];
-    if (sides[s].a != a || sides[s].b != b) continue;
-    const int j = sides[s].triangle;
+    if (!sides[s].same_edge(sides[s - 1])) continue;
+    const int a = sides[s].low, b = sides[s].high;
+    const int i = sides[s - 1].triangle, j = sides[s].triangle;
     const double length2 = (V.col(a) - V.col(b)).squaredNorm();
     if (length2 == 0) continue;
-    const double w = length2 / std::max(A[i] + A[j], kFlattest * length2);
+    const double w = length2 / std::max(A[i] + A[j], kLeastArea * length2);
     const std::array<int, 2> ends{a, b};
     prisms.joints.push_back({i, j, w / 4, gauss_points(V(Eigen::all, ends), up(Eigen::all, ends))});
   }
   return prisms;
-}
-
-bool is_thin(const Eigen::Matrix3d& corners) {
-  const Eigen::Vector3d a = corners.col(1) - corners.col(0), b = corners.col(2) - corners.col(0);
-  const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm()});
-  return a.cross(b).norm() <= kFlattest * longest2;
 }
 
 double mean_side(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
@@ -118,7 +97,7 @@ void move(const RigidMotions& from, const Eigen::MatrixXd& velocities, double sc
     const Eigen::Vector3d omega = scale * velocities.col(i).head<3>();
     const Eigen::AngleAxisd turn(std::atan(omega.norm()), omega.stableNormalized());
     const Eigen::Quaterniond q(Eigen::Matrix3d(turn * from.rotation(i)));
-    to.rotation(i) = q.normalized().toRotationMatrix();  // free of drift
+    to.rotation(i) = q.normalized().toRotationMatrix();  // without drift over many steps
   }
 }
 
