@@ -28,7 +28,8 @@ std::vector<DepthMemory::Recollection> DepthMemory::recall(const Overlaps& overl
   return result;
 }
 
-// Of each triangle +1 where it was mostly in front in regions that are gone, −1 behind.
+// For each triangle +1 if it was mostly in front in regions that are gone, and −1 if it was mostly
+// behind.
 std::vector<int> DepthMemory::sides_of_gone(const std::vector<bool>& gone) const {
   std::vector<int> side(triangles_, 0);
   for (const Seen& seen : seen_) {

@@ -7,21 +7,26 @@
 
 namespace deformlab {
 
-/// What the last update showed in front, so that it stays there while the overlap lasts.
+/// Remembers which triangles the last update showed in front, so that they stay there as long as
+/// they overlap.
 class DepthMemory {
  public:
   /// What is remembered of a region.
   struct Recollection {
-    double vote = 0;       ///< area where its first sheet was in front less where its second was
-    bool lasting = false;  ///< some of its pairs of triangles overlapped already
+    /// The area where its first sheet was in front minus the area where its second sheet was
+    /// [length²].
+    double vote = 0;
+    bool lasting = false;  ///< some of its pairs of triangles overlapped in the last update too
   };
 
-  /// Of each region. One that shares pairs of triangles with the last update lasts. A region all of
-  /// whose pairs are new may still go on where an overlap that moved by more than its width left
-  /// off: where one is gone, pairs and all, its triangles stay in front or behind.
+  /// What is remembered of each region. A region lasts if it shares pairs of triangles with the
+  /// last update. An overlap that moved by more than its own width has only new pairs, but its old
+  /// pairs are all gone. So the triangles of a region that is gone keep being in front or behind in
+  /// new regions.
   std::vector<Recollection> recall(const Overlaps& overlaps) const;
 
-  /// Replaces what is remembered; `a_in_front` says it for each pair.
+  /// Replaces what is remembered. `a_in_front` has one entry for each pair of triangles: whether
+  /// its first triangle is in front.
   void keep(const Overlaps& overlaps, const std::vector<bool>& a_in_front);
   void forget() { keep({}, {}); }
 
@@ -33,9 +38,9 @@ class DepthMemory {
   std::vector<int> sides_of_gone(const std::vector<bool>& gone) const;
 
   std::vector<Seen> seen_;
-  PairTable index_;  ///< in seen_
+  PairTable index_;  ///< of a pair of triangles in seen_
   std::size_t regions_ = 0;
-  int triangles_ = 0;  ///< all seen have lower numbers
+  int triangles_ = 0;  ///< the number of the last triangle in seen_, plus one
 };
 
 }  // namespace deformlab

@@ -1,9 +1,10 @@
 #include "deformers/depth/depth_order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <tuple>
 
 #include "geometry/core/error.h"
@@ -14,12 +15,12 @@ namespace {
 
 using Distances = Eigen::VectorXd;
 
-// From the given vertices along the edges, each vertex from that of its part.
+// The distance along the edges of each vertex from the source in its connected part.
 Distances distances(const Shape& shape, const std::vector<int>& sources) {
   return nearest_along_edges(shape, sources, 1).distances.row(0).transpose();
 }
 
-// In each part the first vertex at which `value` is greatest.
+// For each part the first vertex at which `value` is greatest.
 std::vector<int> greatest(const std::vector<int>& part, const Eigen::VectorXd& value) {
   std::vector<int> result;
   for (int v = 0; v < static_cast<int>(part.size()); ++v) {
@@ -30,13 +31,13 @@ std::vector<int> greatest(const std::vector<int>& part, const Eigen::VectorXd& v
   return result;
 }
 
-// #F means of what is given a vertex.
+// The mean of the order (#V) over the corners of each triangle, #F.
 Eigen::VectorXd over_triangles(const Triangulation& rest, const Eigen::VectorXd& order) {
   if (order.size() != rest.V.cols() || !order.allFinite()) {
-    std::ostringstream what;
-    what << "the order has " << order.size() << " entries for " << rest.V.cols()
-         << " vertices; it needs one finite number for each, higher ones nearer to the viewer";
-    throw InputError(what.str());
+    throw InputError(fmt::format(
+        "the order has {} entries for {} vertices; it needs one finite number for each, "
+        "higher ones nearer to the viewer",
+        order.size(), rest.V.cols()));
   }
   Eigen::VectorXd result(rest.F.cols());
   for (Eigen::Index t = 0; t < rest.F.cols(); ++t) result[t] = order(rest.F.col(t)).mean();
@@ -61,7 +62,7 @@ Eigen::VectorXd distance_from_middle(const Triangulation& rest) {
   const Distances from_other_end = distances(shape, greatest(part, from_one_end));
   const auto middle = greatest(part, -from_one_end.cwiseMax(from_other_end));
   Eigen::VectorXd order = distances(shape, middle);
-  double before = 0;  // depth of the parts so far
+  double before = 0;  // the sum of the depths of earlier parts
   std::vector<double> offset;
   for (const int end : greatest(part, order)) {
     offset.push_back(before);
@@ -97,7 +98,7 @@ const Eigen::VectorXd& DepthOrder::update(const Eigen::Matrix2Xd& V) {
   return depth_;
 }
 
-// What each region would be shown as if it were alone, the weightiest first.
+// What each region would choose if it were alone: lasting ones first, large ones before small ones.
 std::vector<DepthOrder::Choice> DepthOrder::choices() const {
   const auto recalled = memory_.recall(overlaps_);
   std::vector<Choice> result;
@@ -141,7 +142,7 @@ bool DepthOrder::put_all(const OverlapRegion& region, bool a_in_front) {
   return true;
 }
 
-// What would close a circle goes the other way: the stack has those two so already.
+// A pair that would close a circle is put the other way, which the stack already implies.
 void DepthOrder::put_each(const OverlapRegion& region, bool a_in_front) {
   for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
     const auto [back, front] = a_in_front ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);
@@ -157,7 +158,7 @@ void DepthOrder::remember() {
   memory_.keep(overlaps_, a_in_front);
 }
 
-// Triangles that overlap nothing take the greatest height of their neighbours, ring by ring.
+// Triangles that overlap none take the greatest height of their neighbours, ring by ring.
 void DepthOrder::spread(const std::vector<int>& heights) {
   constexpr int kFree = -1;
   std::vector<int> height(heights.size(), kFree), ring, next;

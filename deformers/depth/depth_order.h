@@ -9,49 +9,51 @@
 
 namespace deformlab {
 
-/// What an update of the depths met, in numbers of regions.
+/// What an update of the depths did, as numbers of regions of overlap.
 struct DepthReport {
-  int regions = 0;    ///< all of them
-  int lasting = 0;    ///< those that show the same sheet in front as the last update
-  int turned = 0;     ///< those turned against it, as others left no other order
-  int cyclic = 0;     ///< those without one sheet wholly in front: either way closes a circle
-  int twisted = 0;    ///< those whose sheets change places on a way round (OverlapRegion)
-  bool found = true;  ///< false: too tangled to be searched (OverlapFinder)
+  int regions = 0;    ///< all regions
+  int lasting = 0;    ///< the same sheet is in front as in the last update
+  int turned = 0;     ///< the other sheet is in front, because other regions left no other order
+  int cyclic = 0;     ///< no sheet is wholly in front, because either choice closes a circle
+  int twisted = 0;    ///< the two sheets change sides along a closed way (OverlapRegion)
+  bool found = true;  ///< false where the shape is too tangled to find regions (OverlapFinder)
 };
 
-/// An order for shapes that come without one (#V, higher is nearer): the distance along the edges
-/// from the middle of each connected part, so that limbs come before the trunk, and later parts
-/// before earlier ones.
+/// A predefined order for shapes that have none (#V, higher is nearer to the viewer): the distance
+/// along the edges from the middle of each connected part [length]. So limbs are before the trunk,
+/// and later parts are before earlier ones.
 Eigen::VectorXd distance_from_middle(const Triangulation& rest);
 
 /// Depths of the triangles of a deformed shape, chosen anew on every update so that sheets that
 /// overlap do not run through each other (Igarashi et al. 2005, section 5.1).
 ///
-/// One sheet of each region of overlap is wholly in front: that of the last update while they share
-/// a pair of triangles or one takes up where the other left off (DepthMemory); else the one that
-/// the predefined order has in front, on the average over the region's area. Regions are entered
-/// into one stack, those that last before new ones and great before small. Where the sheets entered
-/// so far leave a region no other choice (of three sheets, or of triangles that reach into several
-/// regions), it takes that one. Where they leave none, each of its pairs in turn takes what is
-/// left, and it is counted as cyclic.
+/// In each region of overlap one sheet is wholly in front. This is the sheet that was in front in
+/// the last update, if the region lasts or continues one that is gone (DepthMemory). Otherwise it
+/// is the sheet that the predefined order has in front, in the mean over the region's area. Regions
+/// are entered into one stack, lasting ones before new ones and large ones before small ones. Where
+/// earlier regions leave only one choice (of three sheets, or of triangles that belong to several
+/// regions), a region takes it. Where they leave none, each pair of triangles takes the choice that
+/// is left to it, and the region is counted as cyclic.
 class DepthOrder {
  public:
-  /// `order` is the predefined one (#V, higher is nearer). Throws InputError where it is of another
-  /// size or not finite.
+  /// `order` is the predefined order (#V, higher is nearer). Throws InputError where it has another
+  /// size or is not finite.
   DepthOrder(const Triangulation& rest, const Eigen::VectorXd& order);
 
-  /// The vertices are at V (2×#V). Returns a depth a triangle (#F), higher is nearer, no two that
-  /// overlap having the same: how many sheets are stacked behind, 0 … So triangles of one depth may
-  /// be drawn together. What overlaps nothing takes the depth of the nearest triangle of its sheet
-  /// that does, and depths change far from where they matter. A tangled shape has the predefined
-  /// order's ranks. Throws InputError as OverlapFinder does, and then is as it was.
+  /// Computes the depths for vertices at V (2×#V) [length]. Returns a depth for each triangle (#F,
+  /// higher is nearer), which is the number of sheets that are stacked behind it. Triangles that
+  /// overlap never have the same depth, so that triangles of one depth can be drawn together. A
+  /// triangle that overlaps none takes the depth of the nearest one of its sheet that does, so that
+  /// depths change far from where they matter. In a shape that is too tangled, triangles have their
+  /// ranks in the predefined order. Throws InputError as OverlapFinder does, and changes nothing
+  /// then.
   const Eigen::VectorXd& update(const Eigen::Matrix2Xd& V);
   /// Forgets which sheets were in front.
   void reset();
 
-  const Eigen::VectorXd& depth() const { return depth_; }  ///< of the last update; 0 before
+  const Eigen::VectorXd& depth() const { return depth_; }  ///< of the last update, or 0
   const Overlaps& overlaps() const { return overlaps_; }   ///< of the last update
-  const DepthReport& report() const { return report_; }    ///< on the last update
+  const DepthReport& report() const { return report_; }    ///< of the last update
 
  private:
   struct Choice {
@@ -67,7 +69,7 @@ class DepthOrder {
   void spread(const std::vector<int>& heights);
 
   OverlapFinder find_;
-  Eigen::VectorXd order_;      ///< #F
+  Eigen::VectorXd order_;      ///< #F, the predefined order
   std::vector<int> by_order_;  ///< triangles, back to front
   DepthStack stack_;
   DepthMemory memory_;

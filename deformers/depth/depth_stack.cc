@@ -7,24 +7,24 @@ namespace deformlab {
 namespace {
 
 constexpr int kNone = -1;
-constexpr int kMostLooks = 1 << 22;
+constexpr int kMostVisits = 1 << 22;
 
 }  // namespace
 
 DepthStack::DepthStack(std::vector<int> back_to_front)
     : back_to_front_(std::move(back_to_front)),
-      place_(back_to_front_.size()),
+      rank_(back_to_front_.size()),
       first_front_(back_to_front_.size(), kNone),
       first_back_(back_to_front_.size(), kNone),
       visited_(back_to_front_.size(), 0) {
   for (std::size_t i = 0; i < back_to_front_.size(); ++i) {
-    place_[back_to_front_[i]] = static_cast<int>(i);
+    rank_[back_to_front_[i]] = static_cast<int>(i);
   }
 }
 
 bool DepthStack::put(int back, int front) {
-  if (place_[back] >= place_[front]) {
-    if (back == front || looks_ > kMostLooks) return false;
+  if (rank_[back] >= rank_[front]) {
+    if (back == front || visits_ > kMostVisits) return false;
     in_front_.clear();
     behind_.clear();
     const bool circle = !gather_in_front(front, back);
@@ -41,50 +41,51 @@ bool DepthStack::put(int back, int front) {
 }
 
 bool DepthStack::visit(int item, std::vector<int>& found) {
-  ++looks_;
+  ++visits_;
   if (visited_[item]) return false;
   visited_[item] = 1;
   found.push_back(item);
   return true;
 }
 
-// All that has to be in front of `from` and is not in front of `until`; false if that holds
-// `until`.
+// Gathers all items that have to be in front of `from` and are not in front of `until`. Returns
+// false if `until` is one of them.
 bool DepthStack::gather_in_front(int from, int until) {
   visit(from, in_front_);
   for (std::size_t i = 0; i < in_front_.size(); ++i) {
     for (int l = first_front_[in_front_[i]]; l != kNone; l = links_[l].next_front) {
       const int item = links_[l].front;
       if (item == until) return false;
-      if (place_[item] < place_[until]) visit(item, in_front_);
+      if (rank_[item] < rank_[until]) visit(item, in_front_);
     }
   }
   return true;
 }
 
-// All that has to be behind `from` and is not behind `until`.
+// Gathers all items that have to be behind `from` and are not behind `until`.
 void DepthStack::gather_behind(int from, int until) {
   visit(from, behind_);
   for (std::size_t i = 0; i < behind_.size(); ++i) {
     for (int l = first_back_[behind_[i]]; l != kNone; l = links_[l].next_back) {
       const int item = links_[l].back;
-      if (place_[item] > place_[until]) visit(item, behind_);
+      if (rank_[item] > rank_[until]) visit(item, behind_);
     }
   }
 }
 
-// Both kinds share their places anew: first what is behind, each kind in the order it had.
+// Gives the gathered items new ranks among those that they have together: first the items behind,
+// then the items in front, each kind in the order that it had.
 void DepthStack::reorder() {
-  const auto place = [&](int item) { return place_[item]; };
-  std::ranges::sort(behind_, {}, place);
-  std::ranges::sort(in_front_, {}, place);
-  std::vector<int> items = behind_, places;
+  const auto rank = [&](int item) { return rank_[item]; };
+  std::ranges::sort(behind_, {}, rank);
+  std::ranges::sort(in_front_, {}, rank);
+  std::vector<int> items = behind_, ranks;
   items.insert(items.end(), in_front_.begin(), in_front_.end());
-  for (const int item : items) places.push_back(place_[item]);
-  std::ranges::sort(places);
+  for (const int item : items) ranks.push_back(rank_[item]);
+  std::ranges::sort(ranks);
   for (std::size_t i = 0; i < items.size(); ++i) {
-    place_[items[i]] = places[i];
-    back_to_front_[places[i]] = items[i];
+    rank_[items[i]] = ranks[i];
+    back_to_front_[ranks[i]] = items[i];
   }
 }
 
@@ -97,11 +98,11 @@ void DepthStack::take_back_to(std::size_t constraints) {
 
 void DepthStack::clear() {
   take_back_to(0);
-  looks_ = 0;
+  visits_ = 0;
 }
 
 std::vector<int> DepthStack::heights() const {
-  std::vector<int> height(place_.size(), 0);
+  std::vector<int> height(rank_.size(), 0);
   for (const int item : back_to_front_) {
     for (int l = first_front_[item]; l != kNone; l = links_[l].next_front) {
       height[links_[l].front] = std::max(height[links_[l].front], height[item] + 1);

@@ -5,33 +5,35 @@
 
 namespace deformlab {
 
-/// Items in an order from the back to the front, under constraints that one lies in front of
-/// another. A constraint against the order moves the few items in between that it concerns (Pearce
-/// and Kelly 2006: A dynamic topological sort algorithm for directed acyclic graphs), so where
-/// little changes little is done. What was put later can be taken back.
+/// Items in an order from the back to the front, under constraints that one item lies in front of
+/// another. A constraint that contradicts the order moves only those items in between that it
+/// concerns (Pearce and Kelly 2006: A dynamic topological sort algorithm for directed acyclic
+/// graphs), so that small changes cost little. The latest constraints can be removed again.
 class DepthStack {
  public:
-  /// Items 0 … n − 1, each once.
+  /// The initial order: the items 0 … n − 1, each once.
   explicit DepthStack(std::vector<int> back_to_front);
 
-  /// False, and nothing is put, where it would close a circle with those put before, or where more
-  /// than a few million items had to be looked at since the last `clear`.
+  /// Adds the constraint that `front` lies in front of `back`. Returns false and adds nothing where
+  /// it would close a circle with earlier constraints, or where more than a few million items have
+  /// been visited since the last `clear`.
   bool put(int back, int front);
   std::size_t constraints() const { return links_.size(); }
-  /// Takes back the latest, until as many are left. The order stays: it suits these too.
+  /// Removes the latest constraints until `constraints` are left. The order stays as it is, because
+  /// it satisfies the others too.
   void take_back_to(std::size_t constraints);
-  /// Takes back all.
+  /// Removes all constraints.
   void clear();
 
-  bool in_front(int item, int of) const { return place_[item] > place_[of]; }
+  bool in_front(int item, int of) const { return rank_[item] > rank_[of]; }
 
-  /// Of each item the length of the longest chain of constraints behind it: 0 where none is.
+  /// For each item the length of the longest chain of constraints behind it, 0 where there is none.
   std::vector<int> heights() const;
 
  private:
   struct Link {
     int back, front;
-    int next_front, next_back;  ///< the next link with the same `back`, with the same `front`
+    int next_front, next_back;  ///< the next link with the same `back`, and with the same `front`
   };
 
   bool gather_in_front(int from, int until);
@@ -39,12 +41,13 @@ class DepthStack {
   void reorder();
   bool visit(int item, std::vector<int>& found);
 
-  std::vector<int> back_to_front_, place_;     ///< inverse to each other
-  std::vector<Link> links_;                    ///< in the order in which they were put
+  std::vector<int> back_to_front_;  ///< the order
+  std::vector<int> rank_;           ///< of each item in the order, 0 is the back
+  std::vector<Link> links_;         ///< the constraints in the order in which they were added
   std::vector<int> first_front_, first_back_;  ///< an item's latest link to its front, to its back
-  std::vector<int> in_front_, behind_;         ///< found by the current `put`
+  std::vector<int> in_front_, behind_;         ///< what the current `put` has found
   std::vector<char> visited_;
-  int looks_ = 0;
+  int visits_ = 0;  ///< since the last `clear`
 };
 
 }  // namespace deformlab

@@ -33,7 +33,7 @@ TEST(DepthMemory, KnowsNothingAtFirstAndOnceItForgot) {
 TEST(DepthMemory, VotesByTheAreaOfPairsThatLast) {
   DepthMemory memory;
   memory.keep(overlaps({{{1, 2, 5}, {3, 4, 7}}}), {true, false});
-  // Other areas, one pair the other way round, one that is new.
+  // The areas differ, one pair is named the other way round, and one pair is new.
   const auto recalled =
       memory.recall(overlaps({{{2, 1, 10}, {3, 4, 1}, {5, 6, 100}}, {{7, 8, 1}}}));
   EXPECT_TRUE(recalled[0].lasting);
@@ -45,7 +45,8 @@ TEST(DepthMemory, VotesByTheAreaOfPairsThatLast) {
 TEST(DepthMemory, PassesOnWhatWasInFrontInARegionThatIsGone) {
   DepthMemory memory;
   memory.keep(overlaps({{{1, 2, 5}}, {{3, 4, 5}}}), {true, true});
-  // 1 over 2 is gone, 3 over 4 is not: a new region of 1 goes on, one of 3 alone does not.
+  // The overlap of 1 over 2 is gone, that of 3 over 4 is not. So a new region of 1 continues the
+  // first one, and a new region of 3 alone does not continue the second.
   const auto recalled =
       memory.recall(overlaps({{{3, 4, 2}}, {{1, 9, 2}}, {{9, 2, 4}}, {{3, 9, 2}}, {{99, 98, 1}}}));
   EXPECT_EQ(recalled[0].vote, 2);

@@ -61,7 +61,7 @@ TEST(DepthStack, ForgetsConstraintsAndKeepsTheOrder) {
   EXPECT_TRUE(stack.in_front(3, 0));
 }
 
-/// The same by tables of all pairs.
+/// The same by a table of all pairs.
 class Reference {
  public:
   explicit Reference(int n) : n_(n), links_(n, std::vector<int>(n, 0)) {}
@@ -133,8 +133,8 @@ TEST(DepthStack, AgreesWithATableOfAllPairs) {
   }
 }
 
-TEST(DepthStack, GivesUpRatherThanLookForever) {
-  // Each constraint against the order moves everything: a quarter of a million looks a time.
+TEST(DepthStack, GivesUpRatherThanSearchForever) {
+  // Each constraint against the order moves all items, and visits a quarter of a million of them.
   constexpr int kItems = 3000;
   DepthStack stack(numbers(kItems));
   int refused = 0;

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/core/error.h"
 #include "geometry/plane/overlap/overlap_measure.h"
+#include "tests/support/errors.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {
@@ -18,8 +18,8 @@ namespace {
 using Eigen::Index;
 using ::testing::HasSubstr;
 
-/// The squares of a sheet, 11 × 6 vertices and 1 apart, without those between two arms: a U on its
-/// side, joined at x < 2; arm `a` at y ≤ 2, arm `b` at y ≥ 3.
+/// A U that lies on its side: the squares of a sheet of 11 × 6 vertices, 1 apart, without those
+/// between two arms. Arm `a` is at y ≤ 2, arm `b` at y ≥ 3, and they are joined at x < 2.
 Triangulation arms() {
   const Triangulation whole = sheet(11, 6);
   std::vector<int> kept;
@@ -41,8 +41,8 @@ Eigen::Matrix2Xd changed(const Triangulation& mesh,
   return V;
 }
 
-/// Arm b beyond x = 3.5 moved by that much: −1.5 along y lays its edge over arm a, −6 takes it
-/// beyond.
+/// Moves the part of arm b at x > 3.5 by y: −1.5 lays its edge over arm a, −6 takes it beyond arm
+/// a.
 Eigen::Matrix2Xd dragged(const Triangulation& mesh, double y) {
   return changed(mesh, [&](Eigen::Vector2d& p) {
     if (p[0] > 3.5 && p[1] > 2.5) p[1] += y;
@@ -61,8 +61,8 @@ double interpenetration_of(const DepthOrder& order, const Triangulation& rest,
   return interpenetration({V, rest.F}, order.overlaps(), triangle_depths(order.depth())).area;
 }
 
-/// No two triangles that overlap have one depth; in each region one sheet is wholly in front unless
-/// the update said otherwise.
+/// Expects that no two triangles that overlap have the same depth, and that in each region one
+/// sheet is wholly in front unless the update reported otherwise.
 void expect_stacked(const DepthOrder& order, const Triangulation& rest, const Eigen::Matrix2Xd& V) {
   for (const TrianglePair& pair : order.overlaps().pairs) {
     ASSERT_NE(order.depth()[pair.a], order.depth()[pair.b]);
@@ -72,7 +72,7 @@ void expect_stacked(const DepthOrder& order, const Triangulation& rest, const Ei
   EXPECT_EQ(order.depth(), order.depth().array().round().matrix());
 }
 
-/// Is arm b in front, wherever the arms overlap?
+/// Whether arm b is in front wherever the arms overlap.
 bool b_in_front(const DepthOrder& order, const Triangulation& rest) {
   const auto in_b = [&](int t) { return rest.V(Eigen::all, rest.F.col(t)).row(1).mean() > 2.5; };
   double b = 0, all = 0;
@@ -111,7 +111,7 @@ TEST(DepthOrder, PutsInFrontWhatThePredefinedOrderHasThere) {
 TEST(DepthOrder, KeepsWhatIsInFrontUntilTheOverlapIsGone) {
   const Triangulation mesh = arms();
   DepthOrder order(mesh, order_of(mesh, [](const auto& p) { return p[1]; }));
-  // Across arm a in steps of half its width, out on the other side, and a step back.
+  // Moves arm b across arm a in steps of half its width, then out on the other side.
   for (const double y : {-1.5, -2.5, -3.5, -4.5}) {
     order.update(dragged(mesh, y));
     EXPECT_TRUE(b_in_front(order, mesh)) << y;
@@ -122,12 +122,12 @@ TEST(DepthOrder, KeepsWhatIsInFrontUntilTheOverlapIsGone) {
 }
 
 TEST(DepthOrder, RemembersAcrossFramesAgainstThePredefinedOrder) {
-  // Over its tip arm b is predefined in front, over its whole length behind: whichever came first
-  // has to stay.
+  // The predefined order has arm b in front at its tip, and behind over its whole length. Whichever
+  // overlap came first has to stay.
   const Triangulation mesh = arms();
   const Eigen::VectorXd order =
       order_of(mesh, [](const auto& p) { return p[1] < 2.5 ? 0.0 : (p[0] > 8.5 ? 1.0 : -1.0); });
-  const auto laid = [&](double from) {  // arm b over arm a, beyond x = `from`
+  const auto laid = [&](double from) {  // arm b over arm a, where x > from
     return changed(mesh, [&](Eigen::Vector2d& p) {
       if (p[0] > from && p[1] > 2.5) p[1] -= 1.5;
     });
@@ -143,11 +143,12 @@ TEST(DepthOrder, RemembersAcrossFramesAgainstThePredefinedOrder) {
     expect_stacked(depths, mesh, laid(from));
   }
   depths.update(mesh.V);
-  depths.update(laid(3.5));  // gone in between: as if it were new
+  depths.update(laid(3.5));  // the overlap was gone in between, so it is a new one
   EXPECT_FALSE(b_in_front(depths, mesh));
 }
 
-/// Depths at the vertices that never change, as the paper starts from.
+/// The share of interpenetration with depths at the vertices that never change, from which the
+/// paper starts.
 double static_share(const Triangulation& rest, const Eigen::Matrix2Xd& V,
                     const Eigen::VectorXd& order) {
   return interpenetration({V, rest.F}, OverlapFinder(rest)(V), vertex_depths(rest.F, order))
@@ -155,7 +156,8 @@ double static_share(const Triangulation& rest, const Eigen::Matrix2Xd& V,
 }
 
 TEST(DepthOrder, EndsTheInterpenetrationOfFigure7) {
-  // Both arms have the same depths along them, which run through each other where they cross.
+  // Both arms have the same depths along them, so that they run through each other where they
+  // cross.
   const Triangulation mesh = arms();
   const Eigen::VectorXd order = order_of(mesh, [](const auto& p) { return p[0]; });
   const Eigen::Matrix2Xd V = changed(mesh, [](Eigen::Vector2d& p) {
@@ -172,8 +174,8 @@ TEST(DepthOrder, EndsTheInterpenetrationOfFigure7) {
 }
 
 TEST(DepthOrder, EndsTheInterpenetrationOfFigure8) {
-  // Depth rises along arm a from 0 to 2; arm b is at 1 and laid between: somewhere below it an edge
-  // leads from behind it to before it.
+  // Depth rises along arm a from 0 to 2, and arm b lies across it at depth 1. So some edge of arm a
+  // leads from behind arm b to before it.
   const Triangulation mesh = arms();
   const Eigen::VectorXd order =
       order_of(mesh, [](const auto& p) { return p[1] < 2.5 ? p[0] / 5 : 1.0; });
@@ -184,11 +186,11 @@ TEST(DepthOrder, EndsTheInterpenetrationOfFigure8) {
   EXPECT_EQ(interpenetration_of(depths, mesh, V), 0);
 }
 
-/// Parts of 4 × 4 squares beside each other, and all of them moved to nearly one place.
+/// Parts of 4 × 4 squares beside each other, which are all moved to nearly the same position.
 struct Pile {
   Triangulation mesh;
   Eigen::Matrix2Xd V;
-  Eigen::VectorXd order;  ///< of the numbers given
+  Eigen::VectorXd order;  ///< #V, the number that was given for each part
 
   explicit Pile(const std::vector<double>& numbers) {
     const Triangulation one = sheet(5, 5);
@@ -233,7 +235,7 @@ TEST(DepthOrder, TakesBarsThatLieOverEachOtherInACircle) {
   for (int k = 0; k < kBars; ++k) {
     mesh.V.middleCols(n * k, n) = bar.V.colwise() + Eigen::Vector2d(0, 10 * k);
     mesh.F.middleCols(bar.F.cols() * k, bar.F.cols()) = bar.F.array() + n * k;
-    // Its end lies over the beginning of the next.
+    // The end of each bar lies over the beginning of the next.
     V.middleCols(n * k, n) =
         rotation(k * std::numbers::pi / 2) * (bar.V.colwise() + Eigen::Vector2d(-3.5, -3.75));
     order.segment(n * k, n) = bar.V.row(0).transpose();
@@ -241,7 +243,7 @@ TEST(DepthOrder, TakesBarsThatLieOverEachOtherInACircle) {
   DepthOrder depths(mesh, order);
   depths.update(V);
   ASSERT_EQ(depths.report().regions, kBars);
-  // No part of a bar lies in two regions, so each end may lie over the next beginning.
+  // No part of a bar lies in two regions, so that each end can lie over the next beginning.
   EXPECT_EQ(depths.report().cyclic, 0);
   expect_stacked(depths, mesh, V);
   for (const TrianglePair& pair : depths.overlaps().pairs) {
@@ -340,32 +342,24 @@ TEST(DepthOrder, HasThePredefinedRanksInATangle) {
       EXPECT_TRUE(here >= there || depth[t] < depth[s]);
     }
   }
-  depths.update(mesh.V);  // and it comes back
+  depths.update(mesh.V);  // the next update is not affected
   EXPECT_TRUE(depths.report().found);
   EXPECT_EQ(depths.depth(), Eigen::VectorXd::Zero(mesh.F.cols()));
 }
 
 TEST(DepthOrder, RefusesWhatDoesNotFitAndStaysAsItWas) {
   const Triangulation mesh = arms();
-  const auto refused = [](const std::function<void()>& action) -> std::string {
-    try {
-      action();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_THAT(refused([&] { DepthOrder(mesh, Eigen::VectorXd::Zero(3)); }),
+  EXPECT_THAT(error_of([&] { DepthOrder(mesh, Eigen::VectorXd::Zero(3)); }),
               HasSubstr("the order has 3 entries for 66 vertices"));
   Eigen::VectorXd order = Eigen::VectorXd::Zero(66);
   order[7] = NAN;
-  EXPECT_THAT(refused([&] { DepthOrder(mesh, order); }), HasSubstr("one finite number for each"));
+  EXPECT_THAT(error_of([&] { DepthOrder(mesh, order); }), HasSubstr("one finite number for each"));
 
   DepthOrder depths(mesh, distance_from_middle(mesh));
   const Eigen::VectorXd before = depths.update(dragged(mesh, -1.5));
   Eigen::Matrix2Xd V = mesh.V;
   V(0, 0) = NAN;
-  EXPECT_THAT(refused([&] { depths.update(V); }), HasSubstr("deformed vertex 0"));
+  EXPECT_THAT(error_of([&] { depths.update(V); }), HasSubstr("deformed vertex 0"));
   EXPECT_EQ(depths.depth(), before);
   EXPECT_EQ(depths.overlaps().regions.size(), 1u);
 }
