@@ -109,7 +109,8 @@ bool KroneckerCg::iterate(double damping, double forcing, int most) {
   delta_.setZero();
   measured_ = 0;
   if (!factored_) return false;
-  L_.solve(r_, z_, workers_);
+  z_ = r_;
+  L_.solve(z_);
   p_ = z_;
   Mp_ = r_;
   const double first = dot(r_, z_);
@@ -128,7 +129,8 @@ bool KroneckerCg::iterate(double damping, double forcing, int most) {
     if (measured_ < kMostMeasured) diagonal_[measured_++] = 1 / alpha + share;
     if (enough) break;
     add_scaled(-alpha, Hp_, r_);
-    L_.solve(r_, z_, workers_);
+    z_ = r_;
+    L_.solve(z_);
     const double before = std::exchange(rho, dot(r_, z_)), beta = rho / before;
     enough = !(rho > 0);
     add_to_scaled(z_, beta, p_);

@@ -5,7 +5,7 @@
 
 #include "solvers/gauss_newton/node_squares.h"
 #include "solvers/gauss_newton/step_solver.h"
-#include "solvers/linear/column_cholesky.h"
+#include "solvers/linear/panel_cholesky.h"
 
 namespace deformlab {
 
@@ -16,8 +16,6 @@ namespace deformlab {
 /// takes all d coordinates of a column at once.
 class KroneckerCg final : public StepSolver {
  public:
-  explicit KroneckerCg(int threads = 1) : workers_(threads) {}
-
   void compile(const Problem& problem) override;
   Linearization& linearization() override { return *linearization_; }
   /// Inexact: iterates until another iteration would gain little.
@@ -38,12 +36,11 @@ class KroneckerCg final : public StepSolver {
   void multiply(double damping);
   void multiply_part(const Linearization::Part& part);
 
-  Workers workers_;
   std::unique_ptr<Linearization> linearization_;
-  NodeSquares squares_;    // the terms that read one node each
-  ColumnCholesky L_;       // of Ã, which stands in M = Ã ⊗ I_d
-  bool factored_ = false;  // not where Ã is not finite
-  SparseMatrix minus_C_;   // A − Ã, lower triangle
+  NodeSquares squares_;      // the terms that read one node each
+  PanelCholesky<double> L_;  // of Ã, which stands in M = Ã ⊗ I_d
+  bool factored_ = false;    // not where Ã is not finite
+  SparseMatrix minus_C_;     // A − Ã, lower triangle
   ColumnBlock r_, z_, p_, Mp_, Hp_, delta_, D_;
   // Of the last solve's first iterations: the diagonal and what is beside it of the tridiagonal
   // matrix that has about the eigenvalues of the preconditioned one.

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "solvers/linear/column_order.h"
+#include "solvers/gauss_newton/linearization/column_order.h"
 namespace deformlab {
 namespace {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solvers/gauss_newton/kronecker_term.h"
-#include "solvers/gauss_newton/node_blocks.h"
+#include "solvers/gauss_newton/linearization/node_blocks.h"
 #include "solvers/linear/column_block.h"
 #include "solvers/problem.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solvers/gauss_newton/linearization.h"
-#include "solvers/linear/sparse_entries.h"
+#include "solvers/linear/sparse_matrix.h"
 
 namespace deformlab {
 

@@ -1,5 +1,10 @@
 #include "solvers/gauss_newton/step_solver.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/core/error.h"
 #include "solvers/gauss_newton/direct_steps.h"
 #include "solvers/gauss_newton/kronecker_cg.h"
 
@@ -26,7 +31,14 @@ Choice choose_step_solver(const Problem& problem) {
 }
 
 std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads) {
-  if (name == "kronecker_cg") return std::make_unique<KroneckerCg>(threads);
+  if (name == "kronecker_cg") return std::make_unique<KroneckerCg>();
+  std::vector<std::string> known = linear_solver_names();
+  if (std::ranges::find(known, name) == known.end()) {
+    known.insert(known.end(), {"auto", "kronecker_cg"});
+    throw InputError(
+        fmt::format("solver.linear_solver '{}' is not one of gauss_newton's; known: {}", name,
+                    fmt::join(known, ", ")));
+  }
   return std::make_unique<DirectSteps>(make_linear_solver(name, threads));
 }
 

@@ -26,7 +26,7 @@ std::string find_name() {
 }  // namespace
 
 std::string blas_name() {
-  static const std::string name = find_name();  // asked for by every solve
+  static const std::string name = find_name();  // every solve asks for it
   return name;
 }
 

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <cholmod.h>
-
-#include <memory>
-
+#include "solvers/linear/cholmod_workspace.h"
 #include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 
-/// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders
-/// or, quickly, in AMD's where that fills little.
+/// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders or, if a
+/// quick order is asked for, in AMD's where that fills little.
 class CholmodSolver final : public LinearSolver {
  public:
   explicit CholmodSolver(int threads = 1);
@@ -22,13 +19,13 @@ class CholmodSolver final : public LinearSolver {
   bool factorize(const SparseMatrix& lower) override;
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override;
   long nonzeros() const override;
+  int threads() const override { return threads_; }
 
  private:
-  void free_factor();
-  Eigen::VectorXi analyzed(cholmod_factor* factor);
+  Eigen::VectorXi take(cholmod_factor* factor);
 
   int threads_;
-  cholmod_common common_;
+  CholmodWorkspace cholmod_;
   cholmod_factor* L_ = nullptr;
   // Results and workspace of cholmod_solve2, which reuses them from solve to solve.
   cholmod_dense *x_ = nullptr, *Y_ = nullptr, *E_ = nullptr;

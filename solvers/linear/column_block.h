@@ -1,16 +1,16 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
+
+#include "solvers/linear/sparse_matrix.h"
 
 namespace deformlab {
 
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-
-/// Columns of X by four entries each, those beyond the d-th being zero: four at a time is what
-/// processors add best.
+/// Columns of X, padded with zeros from d to four entries each: processors add and multiply four
+/// numbers at once.
 using ColumnBlock = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-/// Σ of the products of all entries.
+/// The sum of the products of all entries, ⟨x, y⟩.
 double dot(const ColumnBlock& x, const ColumnBlock& y);
 
 /// y += s x.
@@ -19,8 +19,8 @@ void add_scaled(double s, const ColumnBlock& x, ColumnBlock& y);
 /// y = x + s y.
 void add_to_scaled(const ColumnBlock& x, double s, ColumnBlock& y);
 
-/// y += (A ⊗ I) x for the symmetric matrix whose lower triangle is given, with all of its diagonal
-/// and rows in ascending order.
+/// y += (A ⊗ I) x for a symmetric matrix A that has every entry of its diagonal.
+///   lower  the lower triangle of A
 void add_product(const SparseMatrix& lower, const ColumnBlock& x, ColumnBlock& y);
 
 }  // namespace deformlab

@@ -1,38 +1,55 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "solvers/gauss_newton/linearization.h"
+#include "solvers/linear/sparse_matrix.h"
 
 namespace deformlab {
 
-/// A direct solver for H δ = b with symmetric positive definite H, given by its lower triangle.
-/// Order and structure are found once, the numbers change with every factorization.
+/// A direct solver for H δ = b with a symmetric positive definite H, which is given by its lower
+/// triangle. The order and the structure are found once, and the numbers change with every
+/// factorization.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
 
-  /// A fill-reducing order: row and column order[i] of `lower` should come to place i.
-  /// Entries may be zero, their places count. Every `group` consecutive rows have almost the same
-  /// neighbours and may be kept together. A quick order tries nested dissection only where minimum
-  /// degree fills much.
-  virtual Eigen::VectorXi order(const SparseMatrix& lower, int group = 1, bool quick = false) = 0;
-  /// Symbolic factorization of a matrix that is already in a good order.
+  /// A fill-reducing order: row and column order[i] of `lower` should come to position i. Entries
+  /// may be zero, only their positions count. By default, the order that the matrix has.
+  ///   group  every `group` consecutive rows have almost the same neighbours and may be kept
+  ///          together
+  ///   quick  nested dissection is tried only where minimum degree fills much
+  virtual Eigen::VectorXi order(const SparseMatrix& lower, int group = 1, bool quick = false);
+  /// Symbolic factorization of a matrix that is in a good order already.
   virtual void analyze(const SparseMatrix& lower) = 0;
-  /// Numeric factorization of a matrix of the structure that was analyzed. False where a pivot is
-  /// not positive, or so small beside the others that the matrix is singular in double precision.
+  /// Numeric factorization of a matrix that has the structure which was analyzed. Returns false if
+  /// a pivot is not positive, or less than kSingularRatio of the largest.
   virtual bool factorize(const SparseMatrix& lower) = 0;
   /// δ = H⁻¹ b by the last factorization, which must have succeeded.
   virtual void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) = 0;
-  /// Nonzeros of the factor.
+  /// The number of nonzeros in the factor.
   virtual long nonzeros() const = 0;
+  /// How many threads it uses.
+  virtual int threads() const { return 1; }
 };
 
-/// Below this ratio of the factor's smallest to its largest pivot a matrix counts as singular.
+/// If the smallest pivot of a factor is less than this share of the largest, the matrix counts as
+/// singular in double precision.
 inline constexpr double kSingularRatio = 1e-14;
 
-/// name: "cholmod" or "eigen_ldlt". Throws InputError for another. CHOLMOD may use more threads.
+/// Makes a linear solver that may use so many threads.
+using LinearSolverFactory = std::function<std::unique_ptr<LinearSolver>(int threads)>;
+
+/// From now on solver.linear_solver may be `name`: each Gauss–Newton step then factors JᵀJ with
+/// this solver. Throws InputError if the name is taken.
+void register_linear_solver(const std::string& name, LinearSolverFactory factory);
+
+/// "cholmod", "eigen_ldlt" or one that was registered. Throws InputError for any other name.
 std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name, int threads = 1);
+
+/// The names that make_linear_solver knows.
+std::vector<std::string> linear_solver_names();
 
 }  // namespace deformlab

@@ -5,7 +5,7 @@
 namespace deformlab {
 namespace {
 
-// OpenMP's runtime comes with CHOLMOD, if at all.
+// A function of the OpenMP runtime, which is loaded only if CHOLMOD uses it; else null.
 template <class Function>
 Function find(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));

@@ -2,12 +2,13 @@
 
 namespace deformlab {
 
-/// While it lives, OpenMP starts no threads from this one. CHOLMOD's supernodal factorization asks
-/// for four in loops so short that starting them takes longer than the work, however few
-/// processors there are: a step of embedded deformation takes 1.4 to 1.8 times as long with them.
+/// As long as an object of this class exists, OpenMP starts no threads from the thread that made
+/// it. CHOLMOD's supernodal factorization asks for four threads in loops so short that starting
+/// them takes longer than the work, however few processors there are: with them, a step of embedded
+/// deformation takes 1.4 to 1.8 times as long.
 class OneThread {
  public:
-  /// More than one may be asked for: then nothing is held back.
+  /// With more than one thread nothing is limited.
   explicit OneThread(int threads = 1);
   ~OneThread();
   OneThread(const OneThread&) = delete;

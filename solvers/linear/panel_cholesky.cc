@@ -1,218 +1,257 @@
 #include "solvers/linear/panel_cholesky.h"
 
-#include <cholmod.h>
-
 #include <algorithm>
-#include <array>
-#include <new>
-#include <type_traits>
+#include <cmath>
+#include <limits>
+#include <utility>
 
+#include "geometry/core/simd_block.h"
+#include "geometry/core/simd_dispatch.h"
 #include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 namespace {
 
-constexpr int kWidth = 4;  // of a panel at most: so many columns' sums stay in registers
+using Complex = std::complex<double>;
 
-// One entry of the right-hand side, (re, im), and i times it.
-using Pair = Eigen::Array2d;
-Pair quarter_turn(const Pair& z) { return {-z[1], z[0]}; }
+constexpr int kWidth = 4;  // the most columns in a panel
 
-Pair times(double a, const Pair& z, const Pair&) { return a * z; }
-Pair times(std::complex<double> a, const Pair& z, const Pair& iz) {
-  return a.real() * z + a.imag() * iz;
-}
-// A Hermitian matrix has a real diagonal, but for rounding, which CHOLMOD takes for a fault.
-void make_diagonal_real(Eigen::SparseMatrix<double>&) {}
-void make_diagonal_real(Eigen::SparseMatrix<std::complex<double>>& lower) {
-  for (int c = 0; c < lower.cols(); ++c) lower.coeffRef(c, c) = lower.coeff(c, c).real();
-}
+// Four entries of a row of the panel under work, in registers and in memory.
+template <class Scalar>
+struct Four {
+  using Array = Eigen::Array<Scalar, 4, 1>;
+};
+template <>
+struct Four<double> {
+  using Array = SimdBlock;
+};
+const SimdBlockInMemory& four(const double* entries) { return simd_block(entries); }
+SimdBlockInMemory& four(double* entries) { return simd_block(entries); }
+auto four(const Complex* entries) { return Eigen::Map<const Eigen::Array<Complex, 4, 1>>(entries); }
+auto four(Complex* entries) { return Eigen::Map<Eigen::Array<Complex, 4, 1>>(entries); }
 
 double conjugate(double a) { return a; }
-std::complex<double> conjugate(std::complex<double> a) { return std::conj(a); }
+Complex conjugate(const Complex& a) { return std::conj(a); }
 
-auto at(double* z, int i) { return Eigen::Map<Pair, Eigen::Aligned16>(z + 2 * std::ptrdiff_t(i)); }
-
-// CHOLMOD's workspace and factor, for as long as the panels are filled.
-struct Cholmod {
-  Cholmod() {
-    cholmod_start(&common);
-    common.print = 0;
-    common.try_catch = 1;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_NATURAL;
-    common.postorder = 0;
-    common.supernodal = CHOLMOD_SIMPLICIAL;  // of so sparse a factor the faster one
-    common.final_ll = 1;
+// Subtracts from the rows of the panel under work, four entries each, what an earlier panel
+// contributes to them.
+//   coefficient  width × 4: the earlier panel's conjugate entries in the rows of the new columns
+template <int width, class Scalar>
+DEFORMLAB_INLINE void subtract_rows(const int* row, int rows, const Scalar* value,
+                                    const Scalar* coefficient, const int* position, Scalar* work) {
+  using Array = typename Four<Scalar>::Array;
+  Array c[width];
+  for (int q = 0; q < width; ++q) c[q] = four(coefficient + 4 * q);
+  for (int r = 0; r < rows; ++r, value += width) {
+    Array sum = value[0] * c[0];
+    for (int q = 1; q < width; ++q) sum += value[q] * c[q];
+    four(work + 4 * std::ptrdiff_t(position[row[r]])) -= sum;
   }
-  ~Cholmod() {
-    cholmod_free_factor(&L, &common);
-    cholmod_finish(&common);
-  }
-  Cholmod(const Cholmod&) = delete;
-  Cholmod& operator=(const Cholmod&) = delete;
+}
 
-  template <class Matrix>
-  bool factorize(const Matrix& lower) {
-    using Scalar = typename Matrix::Scalar;
-    cholmod_sparse A{};
-    A.nrow = A.ncol = lower.cols();
-    A.nzmax = lower.nonZeros();
-    A.p = const_cast<int*>(lower.outerIndexPtr());
-    A.i = const_cast<int*>(lower.innerIndexPtr());
-    A.x = const_cast<Scalar*>(lower.valuePtr());
-    A.stype = -1;  // lower triangle
-    A.itype = CHOLMOD_INT;
-    A.xtype = std::is_same_v<Scalar, double> ? CHOLMOD_REAL : CHOLMOD_COMPLEX;
-    A.dtype = CHOLMOD_DOUBLE;
-    A.sorted = A.packed = 1;
-    L = cholmod_analyze(&A, &common);
-    if (L != nullptr) cholmod_factorize(&A, L, &common);
-    if (L == nullptr || common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-    return common.status == CHOLMOD_OK && cholmod_rcond(L, &common) > kSingularRatio;
+template <class Scalar>
+DEFORMLAB_INLINE void subtract_rows(int width, const int* row, int rows, const Scalar* value,
+                                    const Scalar* coefficient, const int* position, Scalar* work) {
+  switch (width) {
+    case 1:
+      return subtract_rows<1>(row, rows, value, coefficient, position, work);
+    case 2:
+      return subtract_rows<2>(row, rows, value, coefficient, position, work);
+    case 3:
+      return subtract_rows<3>(row, rows, value, coefficient, position, work);
+    default:
+      return subtract_rows<kWidth>(row, rows, value, coefficient, position, work);
   }
+}
 
-  cholmod_common common;
-  cholmod_factor* L = nullptr;
-};
+DEFORMLAB_SIMD_DISPATCH
+void subtract_panel(int width, const int* row, int rows, const double* value,
+                    const double* coefficient, const int* position, double* work) {
+  subtract_rows(width, row, rows, value, coefficient, position, work);
+}
+
+void subtract_panel(int width, const int* row, int rows, const Complex* value,
+                    const Complex* coefficient, const int* position, Complex* work) {
+  subtract_rows(width, row, rows, value, coefficient, position, work);
+}
 
 }  // namespace
 
-// A column of L as CHOLMOD has it: the diagonal first, then by ascending row.
+// The rows of a column of L are those of the matrix and those of the panels whose first row it is.
+// A column joins the panel to its left where the zeros that this brings in take no longer than a
+// panel of its own.
 template <class Scalar>
-struct PanelCholesky<Scalar>::Column {
-  const int* rows;
-  const Scalar* entries;
-  int count;
-};
+void PanelCholesky<Scalar>::find_panels(const Matrix& lower) {
+  const auto n = static_cast<int>(lower.cols());
+  panels_.clear(), rows_.clear();
+  std::vector<int> first_child(n, -1), next_child, met(n, -1), rows;
+  std::vector<int> lowest;  // the first row of each panel
+  for (int c = 0; c < n; ++c) {
+    rows.clear();
+    const auto meet = [&](int row) {
+      if (row > c && met[row] != c) met[row] = c, rows.push_back(row);
+    };
+    const auto meet_all = [&](const Panel& panel) {
+      for (int r = 0; r < panel.rows; ++r) meet(rows_[panel.index + r]);
+    };
+    for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
+      meet(lower.innerIndexPtr()[k]);
+    }
+    for (int p = first_child[c]; p >= 0; p = next_child[p]) meet_all(panels_[p]);
+    bool joins = false;
+    if (!panels_.empty()) {
+      const Panel& left = panels_.back();
+      if (lowest.back() == c) {
+        meet_all(left);
+        const auto all = static_cast<int>(rows.size());
+        joins = left.width < kWidth && left.width * (all + 1 - left.rows) <= all + 1;
+      } else if (lowest.back() < n) {
+        next_child.back() = std::exchange(first_child[lowest.back()], int(panels_.size()) - 1);
+      }
+    }
+    if (joins) {
+      rows_.resize(panels_.back().index);
+      ++panels_.back().width;
+      panels_.back().rows = static_cast<int>(rows.size());
+    } else {
+      panels_.push_back({c, 1, static_cast<int>(rows.size()), rows_.size(), 0});
+      lowest.push_back(n);
+      next_child.push_back(-1);
+    }
+    lowest.back() = rows.empty() ? n : *std::min_element(rows.begin(), rows.end());
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+  }
+}
+
+// A bucket sort: the rows in ascending order are handed to the panels that have them.
+template <class Scalar>
+void PanelCholesky<Scalar>::sort_rows(int n) {
+  std::vector<int> begin(n + 1, 0), panel_of(rows_.size());
+  for (const int row : rows_) ++begin[row + 1];
+  for (int r = 0; r < n; ++r) begin[r + 1] += begin[r];
+  for (int p = 0; p < static_cast<int>(panels_.size()); ++p) {
+    for (int r = 0; r < panels_[p].rows; ++r) panel_of[begin[rows_[panels_[p].index + r]]++] = p;
+  }
+  std::vector<std::size_t> next;
+  for (const Panel& panel : panels_) next.push_back(panel.index);
+  for (int row = 0, i = 0; row < n; ++row) {
+    for (; i < begin[row]; ++i) rows_[next[panel_of[i]]++] = row;
+  }
+}
 
 template <class Scalar>
-bool PanelCholesky<Scalar>::factorize(Matrix lower) {
-  make_diagonal_real(lower);
-  panels_.clear(), rows_.clear(), values_.clear();
-  Cholmod cholmod;
-  if (!cholmod.factorize(lower)) return false;
-  const cholmod_factor& L = *cholmod.L;
-  const auto *begin = static_cast<int*>(L.p), *count = static_cast<int*>(L.nz);
-  std::vector<Column> columns;
-  for (std::size_t c = 0; c < L.n; ++c) {
-    columns.push_back(
-        {static_cast<int*>(L.i) + begin[c], static_cast<Scalar*>(L.x) + begin[c], count[c]});
+void PanelCholesky<Scalar>::lay_out_values() {
+  std::size_t size = 0;
+  for (Panel& panel : panels_) {
+    panel.values = size;
+    size += panel.width * (panel.width + 1) / 2 + std::size_t(panel.rows) * panel.width;
   }
-  const int n = static_cast<int>(L.n);
-  for (int first = 0, width; first < n; first += width) {
-    width = 1;
-    while (width < kWidth && first + width < n && joins(width, columns.data() + first)) ++width;
-    add_panel(first, width, columns.data() + first);
+  values_.resize(size);
+}
+
+// What a numeric factorization needs beside its result.
+template <class Scalar>
+struct PanelCholesky<Scalar>::Workspace {
+  std::vector<int> panel_of;  // of each column
+  std::vector<int> position;  // of each row among those of the panel under work
+  // For each panel the list of the panels that contribute to it next: its first one, and which one
+  // follows each panel in the list that it is in.
+  std::vector<int> waiting, next;
+  std::vector<int> reached;  // for each panel, its first row that has not contributed yet
+  std::vector<Scalar> rows;  // the rows of the panel under work, four entries each
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // pivots
+};
+
+// Copies the entries of the matrix in a panel's columns.
+template <class Scalar>
+void PanelCholesky<Scalar>::load(const Matrix& lower, const Panel& panel, Workspace& w) const {
+  const int* row = rows_.data() + panel.index;
+  w.rows.assign(4 * std::size_t(panel.width + panel.rows), 0);
+  for (int c = 0; c < panel.width; ++c) w.position[panel.first + c] = c;
+  for (int r = 0; r < panel.rows; ++r) w.position[row[r]] = panel.width + r;
+  for (int c = 0; c < panel.width; ++c) {
+    const int* begin = lower.outerIndexPtr() + panel.first + c;
+    for (int k = begin[0]; k < begin[1]; ++k) {
+      w.rows[4 * w.position[lower.innerIndexPtr()[k]] + c] = lower.valuePtr()[k];
+    }
+  }
+}
+
+// Subtracts what the panel `q` to the left contributes. That panel then waits for the next one to
+// which it contributes.
+template <class Scalar>
+void PanelCholesky<Scalar>::subtract(int q, const Panel& panel, Workspace& w) const {
+  const Panel& left = panels_[q];
+  const int* row = rows_.data() + left.index;
+  const Scalar* value = values_.data() + left.values + left.width * (left.width + 1) / 2;
+  const int from = w.reached[q];
+  Scalar coefficient[4 * kWidth] = {};
+  int to = from;
+  for (; to < left.rows && row[to] < panel.first + panel.width; ++to) {
+    for (int i = 0; i < left.width; ++i) {
+      coefficient[4 * i + row[to] - panel.first] = conjugate(value[to * left.width + i]);
+    }
+  }
+  subtract_panel(left.width, row + from, left.rows - from,
+                 value + std::ptrdiff_t(from) * left.width, coefficient, w.position.data(),
+                 w.rows.data());
+  w.reached[q] = to;
+  if (to < left.rows) w.next[q] = std::exchange(w.waiting[w.panel_of[row[to]]], q);
+}
+
+// Computes the factor's entries in a panel. Returns false where a pivot is not positive.
+template <class Scalar>
+bool PanelCholesky<Scalar>::finish(const Panel& panel, Workspace& w) {
+  Scalar* value = values_.data() + panel.values;
+  double inverse[kWidth];
+  for (int r = 0; r < panel.width + panel.rows; ++r) {
+    Scalar* own = w.rows.data() + 4 * std::ptrdiff_t(r);
+    for (int c = 0; c < std::min(r, panel.width); ++c) {
+      for (int b = 0; b < c; ++b) own[c] -= own[b] * conjugate(w.rows[4 * c + b]);
+      own[c] *= inverse[c];
+      *value++ = own[c];
+    }
+    if (r >= panel.width) continue;
+    double pivot = std::real(own[r]);
+    for (int b = 0; b < r; ++b) pivot -= std::norm(own[b]);
+    if (!(pivot > 0)) return false;
+    w.smallest = std::min(w.smallest, pivot);
+    w.largest = std::max(w.largest, pivot);
+    inverse[r] = 1 / std::sqrt(pivot);
+    *value++ = inverse[r];
   }
   return true;
 }
 
-// Whether the next column may follow `width` ones in their panel: it has all rows that they have
-// below it, and the zeros that its other rows bring into them take no longer than a panel of its
-// own.
+// Left-looking: goes through the panels from left to right, and subtracts from each what those
+// before it contribute.
 template <class Scalar>
-bool PanelCholesky<Scalar>::joins(int width, const Column* columns) {
-  const Column &left = columns[width - 1], &right = columns[width];
-  const bool parent = left.count > 1 && left.rows[1] == right.rows[0];
-  return parent && width * (right.count + 1 - left.count) <= right.count;
-}
-
-template <class Scalar>
-void PanelCholesky<Scalar>::add_panel(int first, int width, const Column* columns) {
-  const Column& last = columns[width - 1];
-  panels_.push_back({first, width, last.count - 1, rows_.size(), values_.size()});
-  std::array<int, kWidth> next{};  // entry of each column
-  const auto entry = [&](int column, int row) {
-    const Column& c = columns[column];
-    const bool there = next[column] < c.count && c.rows[next[column]] == row;
-    return there ? c.entries[next[column]++] : Scalar(0);
-  };
-  for (int r = 0; r < width; ++r) {
-    for (int c = 0; c < r; ++c) values_.push_back(entry(c, first + r));
-    values_.push_back(1.0 / entry(r, first + r));
+bool PanelCholesky<Scalar>::compute(const Matrix& lower) {
+  const std::size_t n = lower.cols(), count = panels_.size();
+  Workspace w{std::vector<int>(n),         std::vector<int>(n),        std::vector<int>(count, -1),
+              std::vector<int>(count, -1), std::vector<int>(count, 0), {}};
+  for (std::size_t p = 0; p < count; ++p) {
+    std::fill_n(w.panel_of.begin() + panels_[p].first, panels_[p].width, static_cast<int>(p));
   }
-  for (int r = 1; r < last.count; ++r) {
-    rows_.push_back(last.rows[r]);
-    for (int c = 0; c < width; ++c) values_.push_back(entry(c, last.rows[r]));
-  }
-}
-
-// L y = z.
-template <class Scalar>
-template <int width>
-void PanelCholesky<Scalar>::forward(const Panel& panel, double* z) const {
-  const Scalar* value = values_.data() + panel.values;
-  std::array<Pair, width> y, iy;
-  for (int c = 0; c < width; ++c) {
-    Pair sum = at(z, panel.first + c);
-    for (int b = 0; b < c; ++b) sum -= times(*value++, y[b], iy[b]);
-    y[c] = std::real(*value++) * sum;
-    iy[c] = quarter_turn(y[c]);
-    at(z, panel.first + c) = y[c];
-  }
-  const int* row = rows_.data() + panel.index;
-  for (int r = 0; r < panel.rows; ++r, value += width) {
-    Pair sum = times(value[0], y[0], iy[0]);
-    for (int c = 1; c < width; ++c) sum += times(value[c], y[c], iy[c]);
-    at(z, row[r]) -= sum;
-  }
-}
-
-// Lᴴ z = y.
-template <class Scalar>
-template <int width>
-void PanelCholesky<Scalar>::backward(const Panel& panel, double* z) const {
-  const Scalar* triangle = values_.data() + panel.values;
-  const Scalar* value = triangle + width * (width + 1) / 2;
-  std::array<Pair, width> y;
-  for (int c = 0; c < width; ++c) y[c] = at(z, panel.first + c);
-  const int* row = rows_.data() + panel.index;
-  for (int r = 0; r < panel.rows; ++r, value += width) {
-    const Pair x = at(z, row[r]), ix = quarter_turn(x);
-    for (int c = 0; c < width; ++c) y[c] -= times(conjugate(value[c]), x, ix);
-  }
-  for (int c = width - 1; c >= 0; --c) {
-    y[c] *= std::real(triangle[c * (c + 1) / 2 + c]);
-    const Pair iy = quarter_turn(y[c]);
-    for (int b = 0; b < c; ++b) y[b] -= times(conjugate(triangle[c * (c + 1) / 2 + b]), y[c], iy);
-    at(z, panel.first + c) = y[c];
-  }
-}
-
-template <class Scalar>
-void PanelCholesky<Scalar>::solve(Eigen::VectorXcd& z) const {
-  auto* x = reinterpret_cast<double*>(z.data());
-  for (const Panel& panel : panels_) {
-    switch (panel.width) {
-      case 1:
-        forward<1>(panel, x);
-        break;
-      case 2:
-        forward<2>(panel, x);
-        break;
-      case 3:
-        forward<3>(panel, x);
-        break;
-      default:
-        forward<kWidth>(panel, x);
+  for (int p = 0; p < static_cast<int>(count); ++p) {
+    load(lower, panels_[p], w);
+    for (int q = w.waiting[p], after; q >= 0; q = after) {
+      after = w.next[q];
+      subtract(q, panels_[p], w);
     }
+    if (!finish(panels_[p], w)) return false;
+    const int* row = rows_.data() + panels_[p].index;
+    if (panels_[p].rows > 0) w.next[p] = std::exchange(w.waiting[w.panel_of[row[0]]], p);
   }
-  for (auto panel = panels_.rbegin(); panel != panels_.rend(); ++panel) {
-    switch (panel->width) {
-      case 1:
-        backward<1>(*panel, x);
-        break;
-      case 2:
-        backward<2>(*panel, x);
-        break;
-      case 3:
-        backward<3>(*panel, x);
-        break;
-      default:
-        backward<kWidth>(*panel, x);
-    }
-  }
+  return w.smallest > kSingularRatio * w.largest;
+}
+
+template <class Scalar>
+bool PanelCholesky<Scalar>::factorize(const Matrix& lower) {
+  find_panels(lower);
+  sort_rows(static_cast<int>(lower.cols()));
+  lay_out_values();
+  return compute(lower);
 }
 
 template class PanelCholesky<double>;

@@ -5,47 +5,60 @@
 #include <cstddef>
 #include <vector>
 
+#include "solvers/linear/column_block.h"
+
 namespace deformlab {
 
-/// A Cholesky factor A = L Lᴴ of a sparse positive definite matrix, real or Hermitian, laid out for
-/// solves with one complex right-hand side, such as x + iy of the points of a drawing: up to four
-/// columns of L that have the same rows below them lie side by side in a panel, row after row. A
-/// solve then reads L as one stream, and each row of a panel touches the right-hand side once.
+/// A Cholesky factor A = L Lᴴ of a sparse positive definite matrix, real or Hermitian. It is made
+/// for very many solves with few right-hand sides: up to four columns of L that have the same rows
+/// below them lie side by side in a panel, row after row, so that a solve reads L as one stream,
+/// and each row of a panel touches the right-hand sides once.
 ///   Scalar  double or std::complex<double>
 template <class Scalar>
 class PanelCholesky {
  public:
   using Matrix = Eigen::SparseMatrix<Scalar, Eigen::ColMajor, int>;
 
-  /// Factors the matrix of this lower triangle, whose rows are in a fill-reducing order already
-  /// (LinearSolver::order) and which has every entry of its diagonal. False where it is singular in
-  /// double precision or not positive definite.
-  bool factorize(Matrix lower);
-  /// z ← A⁻¹ z by the last factorization, which must have succeeded. Allocates nothing.
+  /// Factors A. Returns false if A is not positive definite, or so close to singular that the
+  /// smallest pivot is less than kSingularRatio of the largest.
+  ///   lower  the lower triangle of A, with every entry of the diagonal. Its rows have to be in a
+  ///          fill-reducing order already.
+  bool factorize(const Matrix& lower);
+
+  /// z ← A⁻¹ z for one complex right-hand side, such as x + iy of the points of a drawing. Like the
+  /// next one, it needs a factorization that succeeded, and allocates nothing.
   void solve(Eigen::VectorXcd& z) const;
-  /// Entries of the panels.
+  /// Z ← (A⁻¹ ⊗ I) Z for four real right-hand sides. For real matrices only.
+  void solve(ColumnBlock& Z) const;
+
+  /// The number of entries in the panels.
   long nonzeros() const { return static_cast<long>(values_.size()); }
 
- private:
   struct Panel {
-    int first, width;           // columns
-    int rows;                   // below its triangle
-    std::size_t index, values;  // where its rows and entries begin
+    int first, width;           ///< its columns of L
+    int rows;                   ///< the number of rows below its triangle
+    std::size_t index, values;  ///< where its rows and its entries begin
   };
-  struct Column;
 
-  static bool joins(int width, const Column* columns);
-  void add_panel(int first, int width, const Column* columns);
-  template <int width>
-  void forward(const Panel& panel, double* z) const;
-  template <int width>
-  void backward(const Panel& panel, double* z) const;
+ private:
+  struct Workspace;
+
+  void find_panels(const Matrix& lower);
+  void sort_rows(int n);
+  void lay_out_values();
+  bool compute(const Matrix& lower);
+  void load(const Matrix& lower, const Panel& panel, Workspace& w) const;
+  void subtract(int q, const Panel& panel, Workspace& w) const;
+  bool finish(const Panel& panel, Workspace& w);
 
   std::vector<Panel> panels_;
   std::vector<int> rows_;
-  // Of each panel its lower triangle row by row, with the inverse of the diagonal, then the rows.
+  // For each panel its lower triangle row by row, with the inverse of the diagonal, then the rows.
   std::vector<Scalar> values_;
 };
+
+template <>
+void PanelCholesky<double>::solve(ColumnBlock& Z) const;
 
 extern template class PanelCholesky<double>;
 extern template class PanelCholesky<std::complex<double>>;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <complex>
 #include <random>
 
@@ -10,6 +11,32 @@ namespace deformlab::test {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// The lower triangle of a random positive definite matrix with about this many entries.
+SparseMatrix random_lower(int n, int entries, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::uniform_int_distribution<int> index(0, n - 1);
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (int i = 0; i < entries; ++i) {
+    const int a = index(random), b = index(random);
+    if (a == b) continue;
+    const double v = value(random);
+    triplets.emplace_back(std::max(a, b), std::min(a, b), v);
+    triplets.emplace_back(a, a, 1.1 * std::abs(v));
+    triplets.emplace_back(b, b, 1.1 * std::abs(v));
+  }
+  for (int i = 0; i < n; ++i) triplets.emplace_back(i, i, 0.1);
+  SparseMatrix lower(n, n);
+  lower.setFromTriplets(triplets.begin(), triplets.end());
+  return lower;
+}
+
+Eigen::MatrixXd dense(const SparseMatrix& lower) {
+  Eigen::MatrixXd A = lower;
+  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
+  return A;
+}
 
 template <class Scalar>
 class PanelCholeskyOf : public ::testing::Test {
@@ -98,6 +125,62 @@ TYPED_TEST(PanelCholeskyOf, NoticesWhatIsSingularOrIndefinite) {
   EXPECT_FALSE(factor.factorize(laplacian));
   laplacian.coeffRef(0, 0) = std::nan("");
   EXPECT_FALSE(factor.factorize(laplacian));
+}
+
+TEST(PanelCholesky, SolvesForFourRightHandSidesAsForOne) {
+  for (const int n : {1, 2, 3, 4, 5, 9, 40, 150}) {
+    for (const int entries : {0, n, 3 * n, n * n}) {
+      const SparseMatrix lower = random_lower(n, entries, n + entries);
+      PanelCholesky<double> factor;
+      ASSERT_TRUE(factor.factorize(lower)) << n << " " << entries;
+      const ColumnBlock b = ColumnBlock::Random(4, n);
+      const ColumnBlock expected = dense(lower).llt().solve(b.transpose()).transpose();
+      ColumnBlock z = b;
+      factor.solve(z);
+      EXPECT_LT((z - expected).norm(), 1e-11 * expected.norm()) << n << " " << entries;
+      EXPECT_GE(factor.nonzeros(), lower.nonZeros());
+    }
+  }
+}
+
+// Springs between neighbours on a square of side², which fill much.
+TEST(PanelCholesky, SolvesWithALargeFactor) {
+  constexpr int side = 100, n = side * side;
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (int i = 0; i < n; ++i) {
+    triplets.emplace_back(i, i, 4.1);
+    if (i % side + 1 < side) triplets.emplace_back(i + 1, i, -1);
+    if (i + side < n) triplets.emplace_back(i + side, i, -1);
+  }
+  SparseMatrix lower(n, n);
+  lower.setFromTriplets(triplets.begin(), triplets.end());
+  PanelCholesky<double> factor;
+  ASSERT_TRUE(factor.factorize(lower));
+  ASSERT_GT(factor.nonzeros(), 900000);
+  const ColumnBlock b = ColumnBlock::Random(4, n);
+  ColumnBlock z = b, product = ColumnBlock::Zero(4, n);
+  factor.solve(z);
+  add_product(lower, z, product);
+  EXPECT_LT((product - b).norm(), 1e-12 * b.norm());
+}
+
+TEST(PanelCholesky, RefusesSpringsThatNothingHolds) {
+  SparseMatrix chain(3, 3);
+  chain.insert(0, 0) = 1, chain.insert(1, 0) = -1, chain.insert(1, 1) = 2;
+  chain.insert(2, 1) = -1, chain.insert(2, 2) = 1;
+  chain.makeCompressed();
+  PanelCholesky<double> factor;
+  EXPECT_FALSE(factor.factorize(chain));
+}
+
+TEST(ColumnBlock, ProductIsThatOfTheWholeMatrix) {
+  const SparseMatrix lower = random_lower(60, 300, 3);
+  const ColumnBlock x = ColumnBlock::Random(4, 60);
+  ColumnBlock y = ColumnBlock::Random(4, 60);
+  const ColumnBlock expected = y + x * dense(lower);
+  add_product(lower, x, y);
+  EXPECT_LT((y - expected).norm(), 1e-13 * expected.norm());
+  EXPECT_NEAR(dot(x, y), x.cwiseProduct(y).sum(), 1e-12);
 }
 
 TYPED_TEST(PanelCholeskyOf, MayBeFactoredAgain) {

@@ -1,8 +1,8 @@
-#include "solvers/linear/sparse_entries.h"
+#include "solvers/linear/sparse_matrix.h"
 
 namespace deformlab {
 
-// Sorted by rows and then, without changing the order of these, by columns.
+// The entries are sorted by rows and then, without changing the order of these, by columns.
 SparseMatrix sparse_matrix(const std::vector<SparseEntry>& entries, int n) {
   SparseMatrix result(n, n);
   int* begin = result.outerIndexPtr();

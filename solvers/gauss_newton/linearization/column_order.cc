@@ -1,12 +1,10 @@
-#include "solvers/linear/column_order.h"
-
-#include <cholmod.h>
+#include "solvers/gauss_newton/linearization/column_order.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <new>
 
-#include "solvers/linear/cholmod_view.h"
+#include "solvers/linear/cholmod_workspace.h"
 
 namespace deformlab {
 namespace {
@@ -17,8 +15,8 @@ std::uint64_t scramble(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Of each rank its class: neighbouring columns with the same entries share one. A sum of hashes
-// stands for the set of entries; should two sets ever collide, the order is a little worse.
+// The class of each rank. Neighbouring columns that have the same entries share a class. A sum of
+// hashes stands for the set of entries; if two sets ever collide, the order is a little worse.
 std::vector<int> classes(const NodeBlocks& A, const std::vector<int>& rank, int n) {
   std::vector<std::uint64_t> sum(n, 0);
   A.for_each([&](int p, int q, double) {
@@ -31,25 +29,17 @@ std::vector<int> classes(const NodeBlocks& A, const std::vector<int>& rank, int 
   return result;
 }
 
-// The order of a symmetric structure, in postorder.
+// A minimum-degree order of a symmetric structure, sorted by a postorder of the elimination tree.
 std::vector<int> minimum_degree(const SparseMatrix& lower) {
-  cholmod_common common;
-  cholmod_start(&common);
-  common.print = 0;
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_AMD;
-  common.postorder = 1;
-  common.supernodal = CHOLMOD_SIMPLICIAL;
+  CholmodWorkspace cholmod;
+  cholmod.use_ordering(CHOLMOD_AMD, true);
+  cholmod.common.supernodal = CHOLMOD_SIMPLICIAL;
   cholmod_sparse A = cholmod_view(lower);
-  cholmod_factor* factor = cholmod_analyze(&A, &common);
-  std::vector<int> order;
-  if (factor != nullptr) {
-    const int* perm = static_cast<const int*>(factor->Perm);
-    order.assign(perm, perm + factor->n);
-  }
-  cholmod_free_factor(&factor, &common);
-  cholmod_finish(&common);
-  if (static_cast<Eigen::Index>(order.size()) != lower.cols()) throw std::bad_alloc();
+  cholmod_factor* factor = cholmod_analyze(&A, &cholmod.common);
+  if (factor == nullptr) throw std::bad_alloc();
+  const int* perm = static_cast<const int*>(factor->Perm);
+  std::vector<int> order(perm, perm + factor->n);
+  cholmod_free_factor(&factor, &cholmod.common);
   return order;
 }
 

@@ -1,4 +1,4 @@
-#include "solvers/gauss_newton/node_blocks.h"
+#include "solvers/gauss_newton/linearization/node_blocks.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include "geometry/core/simd_block.h"
 #include "geometry/core/simd_dispatch.h"
-#include "solvers/linear/sparse_entries.h"
+#include "solvers/linear/sparse_matrix.h"
 
 namespace deformlab {
 namespace {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "solvers/gauss_newton/linearization/node_blocks.h"
+
+namespace deformlab {
+
+/// A fill-reducing order, by minimum degree, of the columns of X that have a rank (0 … n − 1; the
+/// others have −1): the column of rank order[i] should come to position i. Neighbouring columns
+/// that have the same structure stay together and count as one.
+std::vector<int> column_order(const NodeBlocks& A, const std::vector<int>& rank, int n);
+
+}  // namespace deformlab

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/core/error.h"
+
+namespace deformlab {
+
+/// Makes things by name. The built-in ones are listed where a registry is constructed, and users of
+/// the library add their own. It may be used from several threads.
+template <class Product, class... Arguments>
+class Registry {
+ public:
+  using Factory = std::function<std::unique_ptr<Product>(Arguments...)>;
+
+  ///   kind  what is made, as messages say it: "linear solver"
+  Registry(std::string kind, std::vector<std::pair<std::string, Factory>> built_in)
+      : kind_(std::move(kind)), factories_(std::move(built_in)) {}
+
+  /// Throws InputError for an empty name, one that is taken, and a factory that is empty.
+  void add(const std::string& name, Factory factory) {
+    if (name.empty()) throw InputError(fmt::format("a {} needs a name to be registered", kind_));
+    if (!factory) {
+      throw InputError(
+          fmt::format("the {} '{}' is registered without a factory; give a function that makes it",
+                      kind_, name));
+    }
+    if (has(name)) {
+      throw InputError(fmt::format(
+          "there is a {} '{}' already; choose another name or register it once only", kind_, name));
+    }
+    const std::lock_guard lock(mutex_);
+    factories_.emplace_back(name, std::move(factory));
+  }
+
+  bool has(const std::string& name) const { return static_cast<bool>(find(name)); }
+
+  /// Throws InputError for an unknown name; the message lists the known ones.
+  std::unique_ptr<Product> make(const std::string& name, Arguments... arguments) const {
+    if (const Factory factory = find(name)) return factory(arguments...);
+    throw InputError(
+        fmt::format("unknown {} '{}'; known: {}", kind_, name, fmt::join(names(), ", ")));
+  }
+
+  std::vector<std::string> names() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::string> result;
+    for (const auto& [name, factory] : factories_) result.push_back(name);
+    return result;
+  }
+
+ private:
+  Factory find(const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [known, factory] : factories_) {
+      if (known == name) return factory;
+    }
+    return nullptr;
+  }
+
+  std::string kind_;
+  mutable std::mutex mutex_;
+  std::vector<std::pair<std::string, Factory>> factories_;
+};
+
+}  // namespace deformlab
