@@ -40,26 +40,14 @@ constexpr auto names_of(CeresBlocks) {
   return std::to_array<EnumName<CeresBlocks>>({{kColumn, "column"}, {kNode, "node"}});
 }
 
-/// The linear solvers that a method knows by name, after "auto".
-inline std::vector<std::string> linear_solver_names(SolverMethod method) {
-  if (method == SolverMethod::kGaussNewton) return {"cholmod", "eigen_ldlt", "kronecker_cg"};
-  return {"dense_qr",    "dense_normal_cholesky", "sparse_normal_cholesky",
-          "dense_schur", "sparse_schur",          "iterative_schur",
-          "cgnr"};
-}
+/// The names of a method's linear solvers without "auto", those that were registered included.
+std::vector<std::string> linear_solver_choices(SolverMethod method);
 
 /// "auto" and the linear solvers of all methods.
-inline std::vector<std::string> linear_solver_names() {
-  std::vector<std::string> names{"auto"};
-  for (const auto& entry : names_of(SolverMethod{})) {
-    for (std::string& name : linear_solver_names(entry.value)) names.push_back(std::move(name));
-  }
-  return names;
-}
+std::vector<std::string> linear_solver_choices();
 
-inline std::vector<std::string> globalization_names() {
-  return {"none", "line_search", "levenberg", "accelerated"};
-}
+/// The globalizations of gauss_newton, those that were registered included.
+std::vector<std::string> globalization_choices();
 
 /// The options of a solver. They are the same for every method.
 struct SolverOptions {
@@ -86,11 +74,11 @@ struct SolverOptions {
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("method", o.method, "The solver that minimises the energy");
-    visit.choice("linear_solver", o.linear_solver, linear_solver_names(),
+    visit.choice("linear_solver", o.linear_solver, linear_solver_choices(),
                  "How the linear equations of a step are solved. cholmod, eigen_ldlt and "
                  "kronecker_cg belong to gauss_newton, the others to ceres, and auto takes the "
                  "fastest that suits the energy terms");
-    visit.choice("globalization", o.globalization, globalization_names(),
+    visit.choice("globalization", o.globalization, globalization_choices(),
                  "How gauss_newton chooses the length of a step: full steps as in the paper "
                  "(none), halved until the energy falls (line_search), damped (levenberg), or "
                  "along conjugate directions with interpolated lengths (accelerated)");

@@ -1,10 +1,12 @@
 #include "solvers/problem.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
-#include <string>
 
 #include "energies/structure.h"
 #include "geometry/core/error.h"
+#include "solvers/compiled.h"
 
 namespace deformlab {
 namespace {
@@ -22,17 +24,62 @@ bool fits(const Energy& energy, const Unknowns& x) {
   return true;
 }
 
+// Throws unless x, fixed and the terms are complete.
+void check_parts(const Problem& problem) {
+  const Unknowns& x = problem.x;
+  const int columns = x.first.empty() ? 0 : x.first.back();
+  if (columns != x.X.cols()) {
+    throw InputError(
+        fmt::format("the nodes of problem.x own {} columns, but X has {}; Unknowns::uniform gives "
+                    "each node the same number of columns",
+                    columns, x.X.cols()));
+  }
+  if (static_cast<int>(problem.fixed.size()) != x.nodes()) {
+    throw InputError(
+        fmt::format("problem.fixed has {} entries, but the problem has {} nodes; it needs one for "
+                    "each node: std::vector<char>({}, 0) leaves all nodes free",
+                    problem.fixed.size(), x.nodes(), x.nodes()));
+  }
+  for (std::size_t i = 0; i < problem.terms.size(); ++i) {
+    const WeightedEnergy& term = problem.terms[i];
+    if (!term.energy) {
+      throw InputError(fmt::format("problem.terms[{}] has no energy; give one or erase it", i));
+    }
+    if (!(term.weight >= 0)) {
+      throw InputError(fmt::format("the weight of the term '{}' is {}; it has to be 0 or more",
+                                   term.energy->name(), term.weight));
+    }
+  }
+}
+
 }  // namespace
 
 void check(const Problem& problem) {
+  check_parts(problem);
   for (const WeightedEnergy& term : problem.terms) {
     if (!fits(*term.energy, problem.x)) {
-      throw InputError("the term '" + std::string(term.energy->name()) +
-                       "' reads nodes that this problem does not have: check the node indices, the "
-                       "dimension and the columns of its arguments");
+      throw InputError(
+          fmt::format("the term '{}' reads nodes that this problem does not have: check the node "
+                      "indices, the dimension and the columns of its arguments",
+                      term.energy->name()));
     }
     check_structure(*term.energy);
   }
+}
+
+void check_compiled(const Problem& problem, const std::vector<int>* first, std::size_t terms) {
+  if (first == nullptr) {
+    throw InputError(
+        "solve is called before compile: call solver->compile(problem) once, and again whenever "
+        "terms or fixed nodes have changed");
+  }
+  const bool same_nodes = *first == problem.x.first && problem.x.X.cols() == first->back();
+  if (same_nodes && problem.terms.size() == terms) return;
+  throw InputError(fmt::format(
+      "solve is called with {} terms on {} nodes in {} columns, but the problem that was "
+      "compiled has {} terms on {} nodes in {} columns; compile this problem first",
+      problem.terms.size(), problem.x.nodes(), problem.x.X.cols(), terms, first->size() - 1,
+      first->back()));
 }
 
 std::vector<double> cost_by_term(const Problem& problem, const Unknowns& x) {

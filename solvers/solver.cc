@@ -13,7 +13,7 @@ namespace {
 
 // The linear solver is one of the method's own.
 void check_linear_solver(const SolverOptions& options) {
-  const std::vector<std::string> names = linear_solver_names(options.method);
+  const std::vector<std::string> names = linear_solver_choices(options.method);
   const std::string& name = options.linear_solver;
   if (name == "auto" || std::find(names.begin(), names.end(), name) != names.end()) return;
   throw OptionError("linear_solver", fmt::format("'{}'", name),

@@ -9,6 +9,7 @@
 
 #include "energies/room.h"
 #include "geometry/core/error.h"
+#include "solvers/compiled.h"
 #include "solvers/linear/blas.h"
 #include "solvers/linear/one_thread.h"
 #include "solvers/stopwatch.h"
@@ -21,12 +22,12 @@ double* block(Unknowns& x, int column) { return x.X.col(column).data(); }
 // The entries of an element's Jacobian that stand for one parameter block.
 struct Piece {
   int first, count;  // its columns in the Jacobian
-  int size;          // of the parameter block: the columns beyond `count` are zero
+  int size;          // of the parameter block; its columns beyond `count` are zero
   double* block;
 };
 
-// One element of one term over the parameter blocks that it depends on. Ceres keeps each block
-// where it likes, while an energy reads whole nodes: they are gathered first.
+// One element of one term over the parameter blocks that it depends on. Ceres may keep each block
+// anywhere, but an energy reads whole nodes, so their entries are gathered first.
 class ElementCost final : public ceres::CostFunction {
  public:
   ElementCost(const Energy& energy, int e, double weight, Unknowns& x, bool by_column)
@@ -100,7 +101,7 @@ class ElementCost final : public ceres::CostFunction {
     return result;
   }
 
-  // Ceres wants row-major Jacobians, one a parameter block.
+  // Ceres wants a row-major Jacobian for each parameter block.
   template <class Jacobian>
   void copy_blocks(const Jacobian& J, double** jacobians) const {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -121,7 +122,7 @@ class ElementCost final : public ceres::CostFunction {
   Eigen::MatrixXd constant_;
 };
 
-// Records what Ceres does in our terms, and stops it by Eq. 12.
+// Records each iteration of Ceres as ours are recorded, and stops Ceres by Eq. 12.
 class Recorder final : public ceres::IterationCallback {
  public:
   Recorder(const Unknowns& x, double epsilon, Summary& summary)
@@ -187,7 +188,7 @@ void conclude(const ceres::Solver::Summary& s, Summary& summary) {
       summary.status = Status::kConverged;
       summary.message = "the three conditions of Eq. 12 hold";
       break;
-    case ceres::CONVERGENCE:  // with all tolerances at zero: nothing changes any more
+    case ceres::CONVERGENCE:  // all tolerances are zero, so nothing changes any more
       summary.status = Status::kConverged;
       break;
     case ceres::NO_CONVERGENCE:
@@ -212,7 +213,7 @@ void conclude(const ceres::Solver::Summary& s, Summary& summary) {
 }  // namespace
 
 CeresSolver::CeresSolver(const SolverOptions& options) : options_(options) {
-  ceres_options(options);  // rejects what is wrong before any work
+  ceres_options(options);  // throws for a wrong option before any work
 }
 
 void CeresSolver::compile(const Problem& problem) {
@@ -221,6 +222,7 @@ void CeresSolver::compile(const Problem& problem) {
   ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   problem_ = std::make_unique<ceres::Problem>(ownership);
   losses_.clear();
+  terms_ = problem.terms.size();
   x_ = problem.x;
   const bool by_column = options_.ceres_blocks == CeresBlocks::kColumn;
   for (int j = 0; j < x_.nodes(); ++j) {
@@ -235,7 +237,7 @@ void CeresSolver::compile(const Problem& problem) {
   }
 }
 
-// w ρ(‖r‖²) has its weight outside of ρ, where without a loss the residuals take √w.
+// With a loss, w ρ(‖r‖²), the weight is outside of ρ. Without one, the residuals are scaled by √w.
 void CeresSolver::add(const WeightedEnergy& term, bool by_column) {
   ceres::LossFunction* loss = nullptr;
   if (term.loss) {
@@ -252,6 +254,7 @@ void CeresSolver::add(const WeightedEnergy& term, bool by_column) {
 }
 
 Summary CeresSolver::solve(Problem& problem) {
+  check_compiled(problem, problem_ ? &x_.first : nullptr, terms_);
   x_.X = problem.x.X;
   Summary summary;
   summary.method = "ceres";
@@ -262,8 +265,8 @@ Summary CeresSolver::solve(Problem& problem) {
   options.callbacks.push_back(&recorder);
   ceres::Solver::Summary result;
   {
-    const OneThread one_thread(
-        options_.threads);  // CHOLMOD below Ceres does not know of its num_threads
+    // CHOLMOD, which Ceres calls, does not know of Ceres' num_threads.
+    const OneThread one_thread(options_.threads);
     ceres::Solve(options, problem_.get(), &result);
   }
   conclude(result, summary);

@@ -46,6 +46,14 @@ void product4(const int* begin, const int* row, const double* value, std::ptrdif
 
 }  // namespace
 
+void gather(const Eigen::VectorXd& x, int d, ColumnBlock& block) {
+  block.topRows(d) = Eigen::Map<const Eigen::MatrixXd>(x.data(), d, block.cols());
+}
+
+void scatter(const ColumnBlock& block, int d, Eigen::VectorXd& x) {
+  Eigen::Map<Eigen::MatrixXd>(x.data(), d, block.cols()) = block.topRows(d);
+}
+
 double dot(const ColumnBlock& x, const ColumnBlock& y) {
   return dot4(x.data(), y.data(), x.cols());
 }

@@ -10,6 +10,11 @@ namespace deformlab {
 /// numbers at once.
 using ColumnBlock = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
+/// Copies the unknowns x, d for each column, into the first d rows of a block.
+void gather(const Eigen::VectorXd& x, int d, ColumnBlock& block);
+/// Copies the first d rows of a block into the unknowns x.
+void scatter(const ColumnBlock& block, int d, Eigen::VectorXd& x);
+
 /// The sum of the products of all entries, ⟨x, y⟩.
 double dot(const ColumnBlock& x, const ColumnBlock& y);
 

@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 
 #include "energies/term_energy.h"
-#include "solvers/gauss_newton/node_squares.h"
-#include "solvers/gauss_newton/normal_equations.h"
 #include "tests/solvers/ladder.h"
 
 namespace deformlab::test {
@@ -47,17 +45,17 @@ TEST(KroneckerCgProduct, IsThatWithJtJ) {
   Problem problem = twisted_plate(50);
   for (int j = 0; j < problem.x.nodes(); j += 5) problem.fixed[j] = 1;
   const Unknowns x = perturbed(problem.x, 0.1);
-  Linearization linearization(problem);
-  linearization.assemble();
+  Linearization linearization(problem, ColumnOrder::kAsGiven);
   linearization.evaluate(x);
   linearization.linearize(x);
-  NodeSquares squares;
-  squares.compile(linearization);
-  ColumnBlock p = ColumnBlock::Random(4, linearization.free_columns());
+  ColumnBlock p = ColumnBlock::Random(4, linearization.columns().count());
   p.row(3).setZero();
   ColumnBlock Hp = ColumnBlock::Zero(4, p.cols());
   add_product(linearization.A(), p, Hp);
-  squares.add_product(linearization, p, Hp);
+  for (const ElementDerivatives* part : linearization.derivatives()) {
+    std::vector<double> scratch(part->width());
+    part->add_product(p, Hp, scratch.data());
+  }
   const Eigen::VectorXd direction = p.topRows(3).reshaped();
   const Eigen::SparseMatrix<double> P = free_entries(problem);
   const Eigen::VectorXd everywhere = P.transpose() * direction;
@@ -68,13 +66,14 @@ TEST(KroneckerCgProduct, IsThatWithJtJ) {
 }
 
 // Coordinates that no term couples stay apart in JᵀJ.
-TEST(NormalEquationsStructure, HasNoMoreThanTheTermsNeed) {
+TEST(NormalMatrix, HasNoMoreEntriesThanTheTermsNeed) {
   Problem problem = twisted_plate(50);
   std::erase_if(problem.terms, [](const WeightedEnergy& term) {
     return term.energy->structure() != Structure::kKronecker;
   });
-  const NormalEquations equations(problem);
-  EXPECT_EQ(equations.structure().nonZeros(), 3 * equations.A().nonZeros());
+  const Linearization linearization(problem, ColumnOrder::kAsGiven);
+  const NormalMatrix matrix(linearization, as_given);
+  EXPECT_EQ(matrix.H().nonZeros(), 3 * linearization.A().nonZeros());
 }
 
 // With Kronecker terms alone the preconditioner is the matrix itself.

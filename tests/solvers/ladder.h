@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "solvers/ceres/ceres_solver.h"
-#include "solvers/gauss_newton/normal_equations.h"
+#include "solvers/gauss_newton/step_solvers/normal_matrix.h"
 #include "solvers/linear/linear_solver.h"
 #include "tests/support/problems.h"
 
@@ -49,25 +49,37 @@ struct NormalSystem {
   Eigen::VectorXd Jtr;
 };
 
+/// The order that a matrix has.
+inline Eigen::VectorXi as_given(const SparseMatrix& lower) {
+  const auto n = static_cast<int>(lower.cols());
+  return Eigen::VectorXi::LinSpaced(n, 0, n - 1);
+}
+
 inline NormalSystem normal_system(const Problem& problem, const Unknowns& x, bool reordered) {
-  NormalEquations equations(problem);
-  Eigen::VectorXi order =
-      Eigen::VectorXi::LinSpaced(equations.unknowns(), 0, equations.unknowns() - 1);
-  if (reordered) order = make_linear_solver("cholmod")->order(equations.structure());
-  equations.arrange(order);
-  equations.evaluate(x);
-  equations.linearize(x);
-  std::vector<Eigen::Triplet<double>> ones;
+  Linearization linearization(problem,
+                              reordered ? ColumnOrder::kFillReducing : ColumnOrder::kAsGiven);
+  NormalMatrix matrix(linearization, [&](const SparseMatrix& lower) {
+    return reordered ? make_linear_solver("cholmod")->order(lower) : as_given(lower);
+  });
+  linearization.evaluate(x);
+  linearization.linearize(x);
+  matrix.update(linearization);
+  const int n = linearization.unknowns();
+  std::vector<Eigen::Triplet<double>> in_H, in_Jtr;
   for (int c = 0; c < x.X.cols(); ++c) {
     for (int i = 0; i < x.dimension(); ++i) {
-      const int place = equations.place(i, c);
-      if (place >= 0) ones.emplace_back(static_cast<int>(ones.size()), place, 1);
+      const int unknown = linearization.columns().unknown(i, c);
+      if (unknown < 0) continue;
+      const auto entry = static_cast<int>(in_H.size());
+      in_H.emplace_back(entry, matrix.position()[unknown], 1);
+      in_Jtr.emplace_back(entry, unknown, 1);
     }
   }
-  Eigen::SparseMatrix<double> P(std::ssize(ones), equations.unknowns());
-  P.setFromTriplets(ones.begin(), ones.end());
-  const Eigen::SparseMatrix<double> full = equations.H().selfadjointView<Eigen::Lower>();
-  return {P * full * P.transpose(), P * equations.Jtr()};
+  Eigen::SparseMatrix<double> P(n, n), Q(n, n);
+  P.setFromTriplets(in_H.begin(), in_H.end());
+  Q.setFromTriplets(in_Jtr.begin(), in_Jtr.end());
+  const Eigen::SparseMatrix<double> full = matrix.H().selfadjointView<Eigen::Lower>();
+  return {P * full * P.transpose(), Q * linearization.Jtr()};
 }
 
 /// Rung 1: r, J, JᵀJ and Jᵀr agree at x.

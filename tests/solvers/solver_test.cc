@@ -91,6 +91,50 @@ TEST(SolverOptions, NumbersOutOfRangeAreErrors) {
               HasSubstr("max_iterations is 0; allowed: at least 1"));
 }
 
+std::string error_of_solve(const SolverOptions& options, Problem& problem, bool compile) {
+  const auto solver = make_solver(options);
+  try {
+    if (compile) solver->compile(problem);
+    solver->solve(problem);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Misuse, IsRefusedWithTheMistakeAndTheCure) {
+  for (const SolverOptions& options :
+       {gauss_newton("auto", "accelerated"), gauss_newton("cholmod", "none"), ceres_with("auto")}) {
+    Problem problem = twisted_plate(20);
+    EXPECT_THAT(error_of_solve(options, problem, false), HasSubstr("call solver->compile"));
+    problem.fixed.clear();
+    EXPECT_THAT(error_of_solve(options, problem, true),
+                HasSubstr("problem.fixed has 0 entries, but the problem has 20 nodes"));
+    problem.fixed.resize(21);
+    EXPECT_THAT(error_of_solve(options, problem, true), HasSubstr("std::vector<char>(20, 0)"));
+    problem.fixed.resize(20);
+    problem.terms.front().weight = -1;
+    EXPECT_THAT(error_of_solve(options, problem, true), HasSubstr("is -1; it has to be 0 or more"));
+    problem = twisted_plate(20);
+    problem.terms.emplace_back();
+    EXPECT_THAT(error_of_solve(options, problem, true), HasSubstr("has no energy"));
+    problem = twisted_plate(20);
+    problem.x.first.pop_back();
+    EXPECT_THAT(error_of_solve(options, problem, true), HasSubstr("own 76 columns, but X has 80"));
+  }
+}
+
+TEST(Misuse, OfASolverForAnotherProblemIsRefused) {
+  for (const SolverOptions& options : {gauss_newton("auto", "accelerated"), ceres_with("auto")}) {
+    Problem problem = twisted_plate(20), other = twisted_plate(21);
+    const auto solver = make_solver(options);
+    solver->compile(problem);
+    EXPECT_THROW(solver->solve(other), InputError);
+    problem.terms.pop_back();
+    EXPECT_THROW(solver->solve(problem), InputError);
+  }
+}
+
 TEST(EveryMethod, StaysAtRestAtRest) {
   for (const SolverOptions& options : every_method()) {
     const Sample sample = random_sample(20);

@@ -11,7 +11,8 @@
 namespace deformlab {
 namespace {
 
-constexpr int kFewNodes = 2;  // that an element reads: as fast to add as to look up
+// Elements that read so few nodes are not grouped: they are added as fast as they are looked up.
+constexpr int kFewNodes = 2;
 
 std::uint64_t hash(std::span<const int> nodes) {
   std::uint64_t h = 0;
@@ -19,7 +20,7 @@ std::uint64_t hash(std::span<const int> nodes) {
   return h ^ (h >> 32);
 }
 
-// Positions of the keys in ascending order, equal ones as they come.
+// The items in ascending order of their keys. Items with equal keys keep their order.
 template <class Key>
 std::vector<int> counting_sort(const std::vector<int>& items, int keys, Key&& key) {
   std::vector<int> begin(keys + 1, 0), sorted(items.size());
@@ -35,8 +36,8 @@ std::vector<int> numbers(std::size_t count) {
   return result;
 }
 
-// The lower triangle of w Σ a aᵀ over some elements of n coefficients each. What else a vector of
-// four holds comes along.
+// Adds the lower triangle of w Σ a aᵀ over some elements of n coefficients each. Some entries above
+// the diagonal are written too, because four numbers are added at a time.
 DEFORMLAB_SIMD_DISPATCH
 void add_squares(const double* a, std::ptrdiff_t n, const int* elements, int count, double weight,
                  double* local) {
@@ -74,7 +75,7 @@ NodeBlocks::NodeBlocks(const std::vector<int>& first, const std::vector<const En
   find_blocks();
 }
 
-// By a table of hashes with open addressing.
+// Finds the groups with a hash table with open addressing.
 NodeBlocks::Groups NodeBlocks::group(const Energy& energy) {
   const int count = energy.size();
   if (energy.arity() <= kFewNodes) return {&energy, {}, numbers(count), numbers(count + 1), 0};
@@ -132,8 +133,8 @@ void NodeBlocks::add_block(int slot, bool transposed, const double* local, std::
   }
 }
 
-// The lower triangle of a symmetric matrix over the columns that the elements of a group read,
-// arguments in turn.
+// Adds the lower triangle of a symmetric matrix over the columns that the elements of a group read,
+// in the order of their arguments.
 void NodeBlocks::add(const Groups& groups, int group, const Eigen::MatrixXd& local) {
   const auto arity = static_cast<int>(groups.columns.size());
   const auto nodes = groups.energy->nodes(groups.elements[groups.begin[group]]);

@@ -10,30 +10,30 @@
 namespace deformlab {
 
 /// A symmetric matrix over the columns of X while it is summed up: one dense block for every two
-/// nodes that some element reads together. Finding them and adding to them takes a time linear in
-/// the elements.
+/// nodes that some element reads together. The time to find the blocks and to add to them is linear
+/// in the number of elements.
 class NodeBlocks {
  public:
-  /// Of a problem whose nodes have the columns `first` (Unknowns::first). `energies` are all that
-  /// may be added, each by its place among them.
+  ///   first     Unknowns::first
+  ///   energies  all that may be added; the functions below name one by its index among them
   NodeBlocks(const std::vector<int>& first, const std::vector<const Energy*>& energies);
 
   /// Adds w Σ a aᵀ over the elements of a Kronecker term.
-  ///   a  coefficients as Energy has them.
+  ///   a  the coefficients, one column for each element
   void add_kronecker(std::size_t energy, double weight, const Eigen::MatrixXd& a);
-  /// Adds the d×d blocks of w JᵀJ, each by its mean diagonal.
-  ///   JtJ  of every element, side by side.
+  /// Adds the mean diagonal of each d×d block of w JᵀJ.
+  ///   JtJ  of every element, side by side
   void add_mean_diagonals(std::size_t energy, double weight, const Eigen::MatrixXd& JtJ);
 
-  /// Adds 1 to every two columns that an element reads together.
+  /// Adds 1 for every two columns that an element reads together.
   void add_structure(std::size_t energy);
 
-  /// The lower triangle over those columns of X that have a rank (0 … n − 1; the others −1), put
-  /// in the order of their ranks. Zeros leave no trace, but the diagonal is there.
+  /// The lower triangle over those columns of X that have a rank (0 … n − 1; the others have −1),
+  /// in the order of their ranks. Entries that are zero are left out, except on the diagonal.
   SparseMatrix lower(const std::vector<int>& rank, int n) const;
 
-  /// visit(p, q, value) for the entries of the lower triangle that are not zero, by columns of X,
-  /// and those of the diagonal.
+  /// Calls visit(p, q, value) for the entries of the lower triangle, by columns p ≥ q of X, that
+  /// are not zero or on the diagonal.
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
@@ -51,9 +51,9 @@ class NodeBlocks {
   // The elements of an energy that read the same nodes, in the same order.
   struct Groups {
     const Energy* energy;
-    std::vector<int> columns;          // that each argument reads
-    std::vector<int> elements, begin;  // group after group
-    std::size_t first_pair;            // of the first group's pairs of arguments
+    std::vector<int> columns;          // how many columns each argument reads
+    std::vector<int> elements, begin;  // the elements group after group, and where each one begins
+    std::size_t first_pair;            // where the first group's pairs of arguments begin
   };
 
   static Groups group(const Energy& energy);
@@ -62,12 +62,12 @@ class NodeBlocks {
   void add_block(int slot, bool transposed, const double* local, std::ptrdiff_t stride, int rows,
                  int columns);
 
-  std::vector<int> first_;                  // column of each node
-  std::vector<Groups> groups_;              // one an energy
-  std::vector<std::pair<int, int>> pairs_;  // (larger, smaller) node of each two arguments
-  std::vector<int> slot_of_;                // and its block
-  std::vector<std::pair<int, int>> nodes_;  // of each block, sorted by the smaller one
-  std::vector<std::size_t> offset_;         // of each block's values, which are column-major
+  std::vector<int> first_;                  // the first column of each node
+  std::vector<Groups> groups_;              // one for each energy
+  std::vector<std::pair<int, int>> pairs_;  // the larger and the smaller node of two arguments
+  std::vector<int> slot_of_;                // the block of each pair
+  std::vector<std::pair<int, int>> nodes_;  // the nodes of each block, sorted by the smaller one
+  std::vector<std::size_t> offset_;         // where each block's values begin, column-major
   std::vector<double> values_;
 };
 

@@ -1,13 +1,13 @@
-#include "solvers/gauss_newton/node_squares.h"
-
 #include "geometry/core/simd_block.h"
 #include "geometry/core/simd_dispatch.h"
+#include "solvers/gauss_newton/linearization/element_derivatives.h"
 
 namespace deformlab {
 namespace {
 
-// A block's columns are d entries apart, so four of them from a column's first on bring along what
-// does not belong to it, and is multiplied by 0 in the end.
+// Hp += w JᵀJ p for elements that read one node each, with a dense block JᵀJ for each node. Four
+// entries are read from the first entry of a column on. If d < 4, the last ones belong to the next
+// column, so they are multiplied by 0 in the end.
 template <int d, int count>
 DEFORMLAB_INLINE void multiply(const int* rank, const double* JtJ, std::ptrdiff_t elements,
                                double weight, const double* p, double* Hp) {
@@ -27,7 +27,7 @@ DEFORMLAB_INLINE void multiply(const int* rank, const double* JtJ, std::ptrdiff_
   }
 }
 
-// The sizes of graphs in space and in the plane.
+// The sizes of the nodes of graphs in space and in the plane.
 DEFORMLAB_SIMD_DISPATCH
 void multiply_3_3(const int* rank, const double* JtJ, std::ptrdiff_t elements, double weight,
                   const double* p, double* Hp) {
@@ -53,30 +53,14 @@ void multiply_any(int d, int count, const int* rank, const double* JtJ, std::ptr
 
 }  // namespace
 
-void NodeSquares::compile(const Linearization& linearization) {
-  ranks_.clear();
-  for (const auto& part : linearization.parts()) {
-    ranks_.emplace_back();
-    if (!part.square()) continue;
-    for (const int column : part.column) ranks_.back().push_back(linearization.rank()[column]);
-  }
-}
-
-void NodeSquares::add_product(const Linearization& linearization, const ColumnBlock& p,
-                              ColumnBlock& Hp) const {
-  const int d = linearization.dimension();
-  for (std::size_t i = 0; i < ranks_.size(); ++i) {
-    const auto& part = linearization.parts()[i];
-    if (!part.square()) continue;
-    const int count = part.energy->argument(0).count, elements = part.energy->size();
-    if (d == 3 && count == 3) {
-      multiply_3_3(ranks_[i].data(), part.JtJ.data(), elements, part.weight, p.data(), Hp.data());
-    } else if (d == 2 && count == 2) {
-      multiply_2_2(ranks_[i].data(), part.JtJ.data(), elements, part.weight, p.data(), Hp.data());
-    } else {
-      multiply_any(d, count, ranks_[i].data(), part.JtJ.data(), elements, part.weight, p.data(),
-                   Hp.data());
-    }
+void ElementDerivatives::add_node_product(const ColumnBlock& p, ColumnBlock& Hp) const {
+  const int d = columns_->dimension(), count = width_ / d, elements = energy_->size();
+  if (d == 3 && count == 3) {
+    multiply_3_3(rank_.data(), JtJ_.data(), elements, weight_, p.data(), Hp.data());
+  } else if (d == 2 && count == 2) {
+    multiply_2_2(rank_.data(), JtJ_.data(), elements, weight_, p.data(), Hp.data());
+  } else {
+    multiply_any(d, count, rank_.data(), JtJ_.data(), elements, weight_, p.data(), Hp.data());
   }
 }
 

@@ -1,4 +1,4 @@
-#include "solvers/gauss_newton/kronecker_term.h"
+#include "solvers/gauss_newton/linearization/kronecker_part.h"
 
 #include "geometry/core/simd_block.h"
 #include "geometry/core/simd_dispatch.h"
@@ -37,13 +37,28 @@ double sum_up(const double* a, const double* b, const int* column, std::ptrdiff_
 
 }  // namespace
 
-double energy(const KroneckerTerm& t, const ColumnBlock& X) {
-  return sum_up(t.a.data(), t.b.data(), t.column, t.a.rows(), t.a.cols(), X.data());
+KroneckerPart::KroneckerPart(const WeightedEnergy& term, const FreeColumns& columns)
+    : energy_(term.energy.get()),
+      weight_(term.weight),
+      a_(columns_of_element(*energy_), energy_->size()),
+      offsets_(columns.dimension(), energy_->size()),
+      b_(ColumnBlock::Zero(4, energy_->size())),
+      column_(columns_read(*energy_, columns)) {
+  energy_->coefficients(a_.data());
 }
 
-double energy(const KroneckerTerm& t, const ColumnBlock& X, double weight, ColumnBlock& G) {
-  return sum_up(t.a.data(), t.b.data(), t.column, t.a.rows(), t.a.cols(), X.data(), weight,
-                G.data());
+void KroneckerPart::set_targets() {
+  energy_->offsets(offsets_.data());
+  b_.topRows(offsets_.rows()) = offsets_;
+}
+
+double KroneckerPart::cost(const ColumnBlock& X) const {
+  return weight_ * sum_up(a_.data(), b_.data(), column_.data(), a_.rows(), a_.cols(), X.data());
+}
+
+double KroneckerPart::cost(const ColumnBlock& X, ColumnBlock& G) const {
+  return weight_ * sum_up(a_.data(), b_.data(), column_.data(), a_.rows(), a_.cols(), X.data(),
+                          weight_, G.data());
 }
 
 }  // namespace deformlab

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <vector>
+
+#include "solvers/gauss_newton/linearization/free_columns.h"
+#include "solvers/gauss_newton/linearization/kronecker_part.h"
+#include "solvers/gauss_newton/linearization/linear_part.h"
+#include "solvers/gauss_newton/linearization/nonlinear_part.h"
+#include "solvers/linear/column_block.h"
+#include "solvers/problem.h"
+
+namespace deformlab {
+
+/// How the free columns of X are numbered.
+enum class ColumnOrder {
+  kAsGiven,      ///< in their order in X
+  kFillReducing  ///< so that a factor of A has few nonzeros
+};
+
+/// A problem linearized: the residuals r of all its terms, each scaled by √w, and their derivative
+/// J, kept term by term as the structure of each one allows. What is constant is computed once, by
+/// the constructor; afterwards nothing allocates.
+///
+/// Along a direction the Kronecker terms are not evaluated: their share of F is quadratic, so A
+/// tells how it changes.
+class Linearization {
+ public:
+  /// Computes J at problem.x. Throws InputError for more than four coordinates.
+  ///   problem  one that `check` accepts
+  Linearization(const Problem& problem, ColumnOrder order);
+  Linearization(const Linearization&) = delete;  // the parts refer to columns_
+  Linearization& operator=(const Linearization&) = delete;
+
+  /// Takes over the terms' targets. To be called between Energy::set_targets and `evaluate`.
+  void set_targets();
+  /// F at x. The residuals stay for `linearize`.
+  double evaluate(const Unknowns& x);
+  /// w E of each term at x, in the problem's order. Afterwards `evaluate` has to come before
+  /// `linearize`.
+  std::vector<double> cost_by_term(const Unknowns& x);
+  /// Computes J and Jᵀr at x, where F was evaluated last.
+  void linearize(const Unknowns& x);
+
+  /// Prepares steps along δ from the x that was linearized last.
+  void set_direction(const Eigen::VectorXd& delta);
+  /// to = x + scale · δ on the free entries.
+  void step(const Unknowns& x, const Eigen::VectorXd& delta, double scale, Unknowns& to) const;
+  /// F at `to` = x + scale · δ.
+  double evaluate_step(const Unknowns& to, double scale);
+  /// Computes J and Jᵀr at the `to` that was evaluated last, which is the new x. Returns F there,
+  /// without the rounding errors that many steps add up.
+  double linearize_step(const Unknowns& to);
+
+  /// q = Jᵀ (r(x + δ) − r(x) − J δ), where x is what was linearized last, and x + δ what was
+  /// evaluated last. Up to third order in δ it is half of Jᵀ times the second derivative of r along
+  /// δ (Transtrum and Sethna 2012).
+  void second_order(const Unknowns& x, const Eigen::VectorXd& delta, Eigen::VectorXd& q);
+
+  const Eigen::VectorXd& Jtr() const { return Jtr_; }   ///< n, half of ∇F
+  int unknowns() const { return columns_.unknowns(); }  ///< n
+  std::size_t terms() const { return structure_.size(); }
+  const FreeColumns& columns() const { return columns_; }
+
+  /// The Kronecker terms' JᵀJ is A ⊗ I_d. This is the lower triangle of A over the free columns.
+  const SparseMatrix& A() const { return A_; }
+  /// The derivatives of the linear and the nonlinear terms.
+  const std::vector<const ElementDerivatives*>& derivatives() const { return derivatives_; }
+  /// Those of the nonlinear terms, which change.
+
+  /// The lower triangle of C, where C ⊗ I_d is the nearest such matrix, in the Frobenius norm, to
+  /// what the other terms add to JᵀJ: each d×d block counts by its mean diagonal. C has every entry
+  /// of its diagonal.
+  SparseMatrix nearest_of_others() const;
+  /// A lower triangle over the free columns with an entry wherever an element of the other terms
+  /// reads both columns; only of terms that couple coordinates, or only of those that do not.
+  SparseMatrix structure_of_others(bool couple_coordinates) const;
+
+ private:
+  double evaluate_others(const Unknowns& x);
+
+  FreeColumns columns_;
+  std::vector<KroneckerPart> kronecker_;
+  std::vector<LinearPart> linear_;
+  std::vector<NonlinearPart> nonlinear_;
+  std::vector<const ElementDerivatives*> derivatives_;
+  std::vector<Structure> structure_;  // of each term, in the problem's order
+  SparseMatrix A_;
+  ColumnBlock X_, all_G_;  // X, and Jᵀr of the Kronecker terms over all columns
+  ColumnBlock G_;          // the free ones in the order of their ranks
+  ColumnBlock delta_, Adelta_;
+  Eigen::VectorXd Jtr_;
+  std::vector<double> scratch_;  // as much as an element reads
+  // The Kronecker terms' share of F at x, and its slope and curvature along δ.
+  double kronecker_cost_ = 0, slope_ = 0, curvature_ = 0;
+  // From the last evaluate_step: the step length, and the two shares of F.
+  double scale_ = 0, trial_kronecker_cost_ = 0, trial_other_cost_ = 0;
+  double exact_cost_ = 0;  // F where all residuals were last evaluated
+};
+
+}  // namespace deformlab

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solvers/gauss_newton/step_solvers/step_solver.h"
+#include "solvers/linear/panel_cholesky.h"
+
+namespace deformlab {
+
+/// Directions by conjugate gradients on the exact H = JᵀJ, which is never assembled. The
+/// preconditioner is M = Ã ⊗ I_d, the nearest such matrix to JᵀJ in the Frobenius norm at the state
+/// that was compiled: the Kronecker terms are A ⊗ I_d already, and of the others each d×d block
+/// counts by its mean diagonal. Ã has one d²-th of JᵀJ's entries and is factored once for each
+/// compilation. A solve with it handles all d coordinates of a column at once.
+class KroneckerCg final : public StepSolver {
+ public:
+  /// Throws InputError if no term is Kronecker.
+  ColumnOrder prepare(const Problem& problem) override;
+  void compile(const Linearization& linearization) override;
+  /// Inexact: iterates until another iteration would gain little.
+  StepResult direction(const Linearization& linearization, double damping, const Eigen::VectorXd& D,
+                       Eigen::VectorXd& delta) override;
+  StepResult geodesic_correction(const Linearization& linearization, const Eigen::VectorXd& q,
+                                 Eigen::VectorXd& c) override;
+  std::string name() const override { return "kronecker_cg"; }
+  long nonzeros_JtJ(const Linearization& linearization) const override {
+    return linearization.A().nonZeros();
+  }
+  long nonzeros_factor() const override { return L_.nonzeros(); }
+  double condition() const override;
+
+  /// An estimate of the condition number of the preconditioned matrix where the problem was
+  /// linearized last, from a few iterations; 0 if there is no unknown.
+  double estimate_condition(const Linearization& linearization);
+
+ private:
+  static constexpr int kMostMeasured = 32;  // iterations
+
+  void factorize(const Linearization& linearization);
+  StepResult solve(const Linearization& linearization, const Eigen::VectorXd& gradient,
+                   double damping, Eigen::VectorXd& delta);
+  StepResult iterate(const Linearization& linearization, double damping, double forcing, int most);
+  void multiply(const Linearization& linearization, double damping);
+
+  PanelCholesky<double> L_;  // of Ã
+  bool factored_ = false;    // false if Ã is not finite
+  SparseMatrix minus_C_;     // A − Ã, lower triangle
+  ColumnBlock r_, z_, p_, Mp_, Hp_, delta_, D_;
+  // From the first iterations of the last solve: the diagonal of the tridiagonal matrix that has
+  // about the same extreme eigenvalues as the preconditioned one, and the entries beside it.
+  Eigen::VectorXd diagonal_{kMostMeasured}, beside_{kMostMeasured};
+  Eigen::Index measured_ = 0;
+  std::vector<double> scratch_;  // as much as an element reads
+};
+
+}  // namespace deformlab
