@@ -1,13 +1,16 @@
 # deformlab_layer(NAME [INTERNAL] PUBLIC ... PRIVATE ...): the static library of one folder.
 # An INTERNAL layer is not installed.
 # Every .cc in it and in its folders is compiled, so a new file needs no line here.
+include(DeformlabPrecompile)
 
 add_library(deformlab_flags INTERFACE)
 target_compile_features(deformlab_flags INTERFACE cxx_std_20)
 target_compile_options(deformlab_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
+  -pthread  # the same macros everywhere, so that all targets can share one precompiled header
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of "a" + std::string (its bug 105651)
-  # … and takes Eigen's and std::string's members for uninitialized, once inlined; Clang does not.
+  # GCC 12 also takes members of Eigen and std::string for uninitialized after it inlined them.
+  # Clang does not.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
   $<$<BOOL:${DEFORMLAB_NATIVE}>:-march=native>)
 if(DEFORMLAB_SANITIZE)
@@ -15,6 +18,16 @@ if(DEFORMLAB_SANITIZE)
   add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-omit-frame-pointer
                       -Wno-uninitialized -Wno-maybe-uninitialized)
   add_link_options(-fsanitize=${DEFORMLAB_SANITIZE})
+endif()
+# Arrays of Eigen pass between our code, the packaged Ceres, and the code of our users, and each
+# frees what another has allocated. All must therefore allocate in the same way, although sanitizers
+# and wider registers would change it.
+set(DEFORMLAB_EIGEN_DEFINITIONS)
+if(DEFORMLAB_SANITIZE)
+  list(APPEND DEFORMLAB_EIGEN_DEFINITIONS EIGEN_MALLOC_ALREADY_ALIGNED=1)
+endif()
+if(DEFORMLAB_NATIVE)
+  list(APPEND DEFORMLAB_EIGEN_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16)
 endif()
 
 function(deformlab_layer name)
@@ -31,16 +44,10 @@ function(deformlab_layer name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/deformlab>)
   target_compile_features(deformlab_${name} PUBLIC cxx_std_20)
-  # How Eigen allocates has to be the same in us, in the packaged Ceres and in who uses us, since each
-  # frees the others' arrays; a sanitizer and wider registers would change it.
-  if(DEFORMLAB_SANITIZE)
-    target_compile_definitions(deformlab_${name} PUBLIC EIGEN_MALLOC_ALREADY_ALIGNED=1)
-  endif()
-  if(DEFORMLAB_NATIVE)
-    target_compile_definitions(deformlab_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
-  endif()
+  target_compile_definitions(deformlab_${name} PUBLIC ${DEFORMLAB_EIGEN_DEFINITIONS})
   target_link_libraries(deformlab_${name} PUBLIC ${ARG_PUBLIC}
                         PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:deformlab_flags>)
+  deformlab_precompile(deformlab_${name})
   if(ARG_INTERNAL)
     return()
   endif()
