@@ -1,6 +1,7 @@
 # deformlab_build_info(TARGET SOURCE...): lets TARGET include "deformlab_build_info.h", which says
-# from what and how it was built. Looked at again only where git's HEAD or one of SOURCE changed,
-# so that a start with nothing to build stays one.
+# from which commit and how it was built. The header is written again only if git's HEAD or one of
+# SOURCE changed, so that a build with nothing to do does nothing. The target deformlab_generated
+# writes it too, for tools that read the code but do not compile it.
 function(deformlab_build_info target)
   set(header ${CMAKE_CURRENT_BINARY_DIR}/build_info/deformlab_build_info.h)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
@@ -32,6 +33,8 @@ function(deformlab_build_info target)
     DEPENDS ${head} ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/WriteBuildInfo.cmake
             ${PROJECT_SOURCE_DIR}/cmake/deformlab_build_info.h.in
     COMMENT "Recording the commit" VERBATIM)
+  add_custom_target(deformlab_generated DEPENDS ${header})
+  add_dependencies(${target} deformlab_generated)
   target_sources(${target} PRIVATE ${header})
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/build_info)
 endfunction()

@@ -7,7 +7,8 @@ add_library(deformlab_flags INTERFACE)
 target_compile_features(deformlab_flags INTERFACE cxx_std_20)
 target_compile_options(deformlab_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
-  -pthread  # the same macros everywhere, so that all targets can share one precompiled header
+  # All targets must have the same macros if they share a precompiled header.
+  $<$<BOOL:${DEFORMLAB_PCH}>:-pthread>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of "a" + std::string (its bug 105651)
   # GCC 12 also takes members of Eigen and std::string for uninitialized after it inlined them.
   # Clang does not.

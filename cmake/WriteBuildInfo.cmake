@@ -1,5 +1,5 @@
-# Run at build time: writes deformlab_build_info.h, and leaves it alone where nothing changed.
-# A commit is marked -dirty where code differs from it; changed results or texts do not count.
+# The build runs this script. It writes deformlab_build_info.h, but only if its text changed.
+# The commit is marked -dirty if code differs from it. Changed results or texts do not count.
 set(COMMIT unknown)
 find_package(Git QUIET)
 if(GIT_FOUND)

@@ -1,4 +1,4 @@
-// Building a deformation graph for the reference scene's 40,401 vertices.
+// Building a deformation graph for the 40,401 vertices of the reference scene.
 #include <benchmark/benchmark.h>
 
 #include "experiments/benchmarks/reference_scene.h"

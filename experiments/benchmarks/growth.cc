@@ -1,7 +1,8 @@
 #include "experiments/benchmarks/growth.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace deformlab {
@@ -26,16 +27,6 @@ std::string big_o(benchmark::BigO complexity) {
   }
 }
 
-std::string family_of(const benchmark::BenchmarkReporter::Run& run) {
-  return run.run_name.function_name;
-}
-
-std::string text(double value, const char* pattern) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
-}
-
 }  // namespace
 
 double exponent(const std::vector<std::pair<double, double>>& points) {
@@ -50,7 +41,7 @@ double exponent(const std::vector<std::pair<double, double>>& points) {
 void GrowthReporter::ReportRuns(const std::vector<Run>& runs) {
   ConsoleReporter::ReportRuns(runs);
   for (const Run& run : runs) {
-    Family& family = families_[family_of(run)];
+    Family& family = families_[run.run_name.function_name];
     if (run.report_big_o) {
       family.big_o = big_o(run.complexity);
     } else if (!run.error_occurred && run.run_type == Run::RT_Iteration) {
@@ -58,9 +49,10 @@ void GrowthReporter::ReportRuns(const std::vector<Run>& runs) {
       if (run.complexity_n > 0) family.points.emplace_back(double(run.complexity_n), time);
       std::string rest;
       for (const auto& [name, counter] : run.counters) {
-        const bool rate = name == "items_per_second";
-        rest += (rest.empty() ? "" : ", ") + (rate ? "vertices per second" : name) + " " +
-                text(counter.value, rate ? "%.3g" : "%.9g");
+        if (!rest.empty()) rest += ", ";
+        rest += name == "items_per_second"
+                    ? fmt::format("vertices per second {:.3g}", double(counter.value))
+                    : fmt::format("{} {:.9g}", name, double(counter.value));
       }
       rows_.push_back({run.benchmark_name(), time, rest});
     }
@@ -70,14 +62,13 @@ void GrowthReporter::ReportRuns(const std::vector<Run>& runs) {
 std::string GrowthReporter::to_markdown() const {
   std::string result = "| benchmark | ms | |\n|---|---|---|\n";
   for (const Row& row : rows_) {
-    result += "| " + row.name + " | " + text(row.ms, "%.3f") + " | " + row.rest + " |\n";
+    result += fmt::format("| {} | {:.3f} | {} |\n", row.name, row.ms, row.rest);
   }
   result += "\n| growth with the number of nodes | fitted exponent | Google Benchmark's fit |\n";
   result += "|---|---|---|\n";
   for (const auto& [name, family] : families_) {
     if (family.points.size() < 2) continue;
-    result +=
-        "| " + name + " | " + text(exponent(family.points), "%.2f") + " | " + family.big_o + " |\n";
+    result += fmt::format("| {} | {:.2f} | {} |\n", name, exponent(family.points), family.big_o);
   }
   return result;
 }

@@ -9,16 +9,17 @@
 
 namespace deformlab {
 
-/// The exponent p of time ~ nodes^p by least squares in log-log, of (nodes, time).
+/// The exponent p of time ~ nodes^p. It is fitted by least squares to the logarithms of the points
+/// (nodes, time).
 double exponent(const std::vector<std::pair<double, double>>& points);
 
-/// Prints what Google Benchmark's console does, and keeps the figures for the report.
+/// Prints what Google Benchmark's console reporter prints, and keeps the figures for the report.
 class GrowthReporter final : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// A Markdown table of all runs, and one of the fitted growth of each family: the exponent beside
-  /// what Google Benchmark fits.
+  /// A Markdown table of all runs, and one of how each family grows: our fitted exponent beside
+  /// Google Benchmark's fit.
   std::string to_markdown() const;
 
  private:

@@ -1,10 +1,13 @@
-// deformlab_bench: Google Benchmark's figures, then our solver against Ceres' best configuration.
+// deformlab_bench: micro benchmarks by Google Benchmark, then the scenarios, each of which compares
+// two ways of the same work, then the growth with the size of the graph.
 #include <benchmark/benchmark.h>
 #include <dlfcn.h>
+#include <fmt/format.h>
 #include <gflags/gflags.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -12,28 +15,29 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/benchmarks/comparison.h"
-#include "experiments/benchmarks/duel.h"
 #include "experiments/benchmarks/growth.h"
-#include "experiments/benchmarks/rigid_comparison.h"
+#include "experiments/benchmarks/report.h"
 #include "experiments/benchmarks/scaling.h"
+#include "experiments/benchmarks/scenarios.h"
 #include "experiments/commands/environment.h"
-#include "experiments/commands/results.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
-DEFINE_string(comparison, "auto",
-              "with the peers: yes, no, rigid (drawings only), or auto: unless a filter is given");
-DEFINE_int32(repetitions, 5, "of each pair in the comparison");
-DEFINE_string(duels, "auto", "the table of speeds: yes, no, or auto: unless a filter is given");
-DEFINE_string(duel_nodes, "222,425,1048,4000", "graph sizes of that table");
-DEFINE_string(scaling, "auto", "growth and a million vertices: yes, no, or auto: unless filtered");
+DEFINE_string(scenarios, "auto",
+              "which scenarios: all, none, a part of their names, or auto (all, unless the "
+              "benchmarks are filtered)");
+DEFINE_string(sizes, "", "the sizes of all scenarios, instead of their own, separated by commas");
+DEFINE_int32(repetitions, 5, "how many pairs of runs a scenario is measured with, at least 1");
+DEFINE_string(scaling, "auto",
+              "growth and a million vertices: yes, no, or auto (yes, unless the benchmarks are "
+              "filtered or scenarios are chosen)");
 DEFINE_string(scaling_nodes, "100,320,1000,3200,10000,32000", "graph sizes of the growth");
-DEFINE_int32(scaling_side, 401, "vertices along a side of the plane that they are on");
+DEFINE_int32(scaling_side, 401, "vertices along a side of the plane of the growth");
 DEFINE_string(large_nodes, "10000,20000", "graph sizes of the large plane");
-DEFINE_int32(large_side, 1000, "vertices along its side");
-DEFINE_string(json, "", "write the table of speeds, growth and transfer into this JSON file");
-DEFINE_string(report, "", "write all figures into this Markdown file");
+DEFINE_int32(large_side, 1000, "vertices along a side of the large plane");
+DEFINE_string(out, "auto",
+              "the folder of benchmarks.md and benchmarks.json, or auto (results, if everything is "
+              "measured; otherwise nothing is written)");
 
 namespace deformlab {
 namespace {
@@ -46,133 +50,140 @@ void force_one_thread() {
   }
 }
 
-std::string context() {
-  std::string text;
-  for (const auto& [name, value] : environment()) text += "- " + name + ": " + value + "\n";
-  return text;
-}
-
-std::string compare_all(bool& holds) {
-  std::string text, gauss_newton_blas, ceres_blas;
-  for (const int nodes : {222, 425, 1048}) {
-    const Comparison comparison = compare(nodes, FLAGS_repetitions);
-    const std::string table = to_markdown(comparison) + "\n";
-    std::cout << table << std::flush;
-    text += table;
-    holds = holds && comparison.holds();
-    gauss_newton_blas = comparison.our_blas;
-    ceres_blas = comparison.best().blas;
+int positive(const std::string& text, const char* flag) {
+  try {
+    std::size_t end = 0;
+    const int value = std::stoi(text, &end);
+    if (end == text.size() && value > 0) return value;
+  } catch (const std::exception&) {  // reported below, as other mistakes are
   }
-  const std::string blas =
-      "BLAS of gauss_newton: " + gauss_newton_blas + "\n\nBLAS of ceres: " + ceres_blas + "\n";
-  std::cout << blas;
-  return text + blas;
+  throw InputError(fmt::format("--{}: '{}' is not a whole number above 0", flag, text));
 }
 
-std::string compare_rigid_shapes(bool& holds) {
-  std::vector<RigidComparison> all;
-  for (const int vertices : {93, 150, 300, 1000, 5000, 20000}) {
-    all.push_back(compare_rigid(vertices, FLAGS_repetitions));
-    holds = holds && all.back().holds();
-  }
-  std::string text = to_markdown(all);
-  std::cout << text << std::flush;
-  return text;
-}
-
-std::vector<int> sizes(const std::string& list) {
+std::vector<int> sizes(const std::string& list, const char* flag) {
   std::vector<int> result;
   std::stringstream text(list);
-  for (std::string nodes; std::getline(text, nodes, ',');) result.push_back(std::stoi(nodes));
+  for (std::string size; std::getline(text, size, ',');) result.push_back(positive(size, flag));
   return result;
 }
 
-std::string duel_all(nlohmann::ordered_json& json) {
-  std::vector<Duel> all;
-  for (const int nodes : sizes(FLAGS_duel_nodes)) {
-    const std::vector<Duel> more = duels(nodes, FLAGS_repetitions);
-    all.insert(all.end(), more.begin(), more.end());
-    std::cout << to_markdown(more) << "\n" << std::flush;
-  }
-  json["duels"] = to_json(all);
-  return to_markdown(all);
+bool is_chosen(const Scenario& scenario, bool filtered) {
+  if (FLAGS_scenarios == "auto") return !filtered;
+  if (FLAGS_scenarios == "all") return true;
+  if (FLAGS_scenarios == "none") return false;
+  return fmt::format("{}, against {}", scenario.name, scenario.against).find(FLAGS_scenarios) !=
+         std::string::npos;
 }
 
-std::string scale_all(nlohmann::ordered_json& json) {
+std::vector<Measurement> measure_scenarios(bool filtered) {
+  const std::vector<int> own_sizes = sizes(FLAGS_sizes, "sizes");
+  std::vector<Measurement> all;
+  for (const Scenario& scenario : scenarios()) {
+    if (!is_chosen(scenario, filtered)) continue;
+    for (const int size : own_sizes.empty() ? scenario.sizes : own_sizes) {
+      all.push_back(measure(scenario, size, FLAGS_repetitions));
+      const Measurement& m = all.back();
+      const Spread ratio = m.ratio();
+      fmt::print("{}, against {}, {} {}: {:.3g} times as fast ({:.3g} to {:.3g})\n", m.scenario,
+                 m.against, m.size, m.unit, ratio.median, ratio.least, ratio.most);
+      std::fflush(stdout);
+    }
+  }
+  if (all.empty() && FLAGS_scenarios != "auto" && FLAGS_scenarios != "none") {
+    throw InputError(
+        fmt::format("--scenarios: no scenario's name has '{}' in it; --scenarios=all "
+                    "--sizes=30 --repetitions=1 shows the names",
+                    FLAGS_scenarios));
+  }
+  return all;
+}
+
+struct Growth {
   std::vector<Scale> growing, large;
-  const int repetitions = std::min(FLAGS_repetitions, 3);  // the largest take seconds
-  for (const int nodes : sizes(FLAGS_scaling_nodes)) {
-    growing.push_back(scale(FLAGS_scaling_side, nodes, repetitions));
+};
+
+Growth measure_growth() {
+  Growth result;
+  const int repetitions = std::min(FLAGS_repetitions, 3);  // the largest takes seconds
+  for (const int nodes : sizes(FLAGS_scaling_nodes, "scaling_nodes")) {
+    result.growing.push_back(scale(FLAGS_scaling_side, nodes, repetitions));
   }
-  for (const int nodes : sizes(FLAGS_large_nodes)) {
-    large.push_back(scale(FLAGS_large_side, nodes, repetitions));
+  for (const int nodes : sizes(FLAGS_large_nodes, "large_nodes")) {
+    result.large.push_back(scale(FLAGS_large_side, nodes, repetitions));
   }
-  json["scaling"] = to_json(growing, large);
-  const std::string text = to_markdown(growing, large);
-  std::cout << text << "\n" << std::flush;
-  return text;
+  return result;
 }
 
-std::string report(const std::string& figures, const std::string& comparisons,
-                   const std::string& rigid, const std::string& speeds, const std::string& scales) {
-  return "# Benchmarks\n\nWritten by `./deformlab bench --report=results/benchmarks.md`. Ratios "
-         "mean something on another machine, milliseconds do not.\n\n" +
-         context() +
-         "\n## Whole edits against others\n\nEach ratio is of medians of this run, ours and theirs "
-         "in turns, one thread. From rest, compilation and Ceres' preprocessing are counted; of a "
-         "drag nothing but an update that follows another, on a problem that Ceres keeps too.\n\n" +
-         speeds +
-         "\n## Growth, and a million vertices\n\nA bumpy plane, deformed as the reference scene "
-         "is, "
-         "by the default solver on one thread; medians, but of the registration.\n\n" +
-         scales +
-         "\n## A step against Ceres\n\nThe reference scene: a bumpy plane of 201×201 vertices, "
-         "4,020 handles, one strip lifted at once. Both solvers minimise the same terms from rest "
-         "and stop by the same rule, in turns, on one thread. A step is the mean of a solve's: "
-         "without our compilation and without Ceres' preprocessing. A whole solve is with both.\n"
-         "\n" +
-         comparisons +
-         "\n## A drawing against CGAL\n\nThe rigid 2D shape beside CGAL's Surface_mesh_deformation "
-         "(spokes and rims, Eigen's SparseLU) on the same mesh, three handles, one thread.\n\n" +
-         rigid + "\n## Figures\n\n" + figures;
+std::string section(const char* title, const char* about, const std::string& content) {
+  return content.empty() ? "" : fmt::format("\n## {}\n\n{}\n\n{}", title, about, content);
+}
+
+std::string report(const std::string& comparisons, const std::string& growth,
+                   const std::string& figures) {
+  return "# Benchmarks\n\n`./deformlab bench` wrote this file. The ratios mean something on "
+         "another "
+         "machine, the milliseconds do not.\n\n" +
+         environment_markdown() +
+         section("Comparisons",
+                 "Each ratio says how many times as fast our way is as the other one. Both run in "
+                 "turns on one thread. The first number is the median over the pairs, and the "
+                 "smallest and the largest ratio stand in brackets. Times from rest count our "
+                 "compilation and Ceres' preprocessing. A drag counts only an update that follows "
+                 "another one, on a problem that Ceres keeps too. A step is the mean over a solve, "
+                 "without compilation and preprocessing. The scene is a bumpy plane of 201×201 "
+                 "vertices with 4,020 handles, of which one strip is lifted at once. A drawing is "
+                 "a shape of five arms with three handles.",
+                 comparisons) +
+         section("Growth, and a million vertices",
+                 "A bumpy plane is deformed as in the scene above, by the default solver on one "
+                 "thread. All times are medians, except that the registration runs once.",
+                 growth) +
+         section("Micro benchmarks", "Google Benchmark measured these times.", figures);
 }
 
 void print_help() {
   benchmark::PrintDefaultHelp();
-  std::cout << "deformlab_bench's own:\n"
-               "          [--comparison=auto|yes|no|rigid] with the peers (auto: unless filtered)\n"
-               "          [--repetitions=<pairs of solves>]\n"
-               "          [--duels=auto|yes|no] the table of speeds (auto: unless filtered)\n"
-               "          [--duel_nodes=222,425,1048,4000] its graph sizes\n"
-               "          [--scaling=auto|yes|no] growth and a million vertices\n"
-               "          [--scaling_nodes=100,320,1000,3200,10000,32000] [--scaling_side=401]\n"
-               "          [--large_nodes=10000,20000] [--large_side=1000]\n"
-               "          [--json=<JSON file>] of the table and the growth\n"
-               "          [--report=<Markdown file>]\n";
+  std::vector<gflags::CommandLineFlagInfo> flags;
+  gflags::GetAllFlags(&flags);
+  std::cout << "\nFlags of deformlab_bench itself:\n";
+  for (const auto& flag : flags) {
+    if (!flag.filename.ends_with("benchmarks/main.cc")) continue;
+    std::cout << fmt::format("  --{}={}\n      {}\n", flag.name, flag.default_value,
+                             flag.description);
+  }
 }
 
 int run(bool filtered) {
   force_one_thread();
-  std::cout << context() << std::flush;
+  if (FLAGS_repetitions < 1) {
+    throw InputError(fmt::format("--repetitions: {} is not at least 1", FLAGS_repetitions));
+  }
+  std::cout << environment_markdown() << "\n" << std::flush;
   GrowthReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  const std::string figures = reporter.to_markdown();
-  std::cout << "\n" << figures << "\n" << std::flush;
-  bool holds = true;
-  std::string comparisons, rigid, speeds, scales;
-  const auto asked = [&](const std::string& flag) {
-    return flag == "yes" || (flag == "auto" && !filtered);
-  };
-  nlohmann::ordered_json json{{"environment", environment()}};
-  if (asked(FLAGS_duels)) speeds = duel_all(json);
-  if (asked(FLAGS_scaling)) scales = scale_all(json);
-  if (!FLAGS_json.empty()) write_file(FLAGS_json, json.dump(2) + "\n");
-  const bool all = asked(FLAGS_comparison);
-  if (all || FLAGS_comparison == "rigid") rigid = compare_rigid_shapes(holds);
-  if (all) comparisons = compare_all(holds);
-  if (!FLAGS_report.empty())
-    write_file(FLAGS_report, report(figures, comparisons, rigid, speeds, scales));
-  return holds ? 0 : 1;
+
+  const std::vector<Measurement> measurements = measure_scenarios(filtered);
+  nlohmann::ordered_json json{{"environment", environment()}, {"scenarios", to_json(measurements)}};
+  const std::string comparisons = measurements.empty() ? "" : to_markdown(measurements);
+
+  const bool everything = !filtered && FLAGS_scenarios == "auto" && FLAGS_sizes.empty();
+  std::string growth;
+  if (FLAGS_scaling == "yes" || (FLAGS_scaling == "auto" && everything)) {
+    const Growth measured = measure_growth();
+    json["scaling"] = to_json(measured.growing, measured.large);
+    growth = to_markdown(measured.growing, measured.large);
+  }
+  const std::string text = report(comparisons, growth, filtered ? "" : reporter.to_markdown());
+  std::cout << "\n" << text << std::flush;
+
+  std::filesystem::path folder = FLAGS_out;
+  if (FLAGS_out == "auto") folder = everything && !growth.empty() ? "results" : "";
+  if (!folder.empty()) {
+    std::filesystem::create_directories(folder);
+    write_file(folder / "benchmarks.md", text);
+    write_file(folder / "benchmarks.json", json.dump(2) + "\n");
+  }
+  return 0;
 }
 
 }  // namespace

@@ -6,24 +6,26 @@
 
 namespace deformlab {
 
-/// The scene that solvers are measured on: a bumpy plane of unit side whose left strip is held and
-/// whose right strip is lifted by half a side, all at once. Both strips are handles.
+/// The scene on which solvers are measured: a bumpy plane of unit side. Its left strip stays in
+/// place and its right strip is lifted by half a side at once. The vertices of both strips are
+/// handles.
 struct ReferenceScene {
   Shape shape;
   Handles handles;
   Eigen::Matrix3Xd targets;  ///< 3×#moved [length]
 };
 
-/// n×n vertices, strips of a twentieth of the columns.
+/// The scene with n×n vertices. A strip has a twentieth of the columns.
 ReferenceScene lifted_plane(int n);
-/// 201×201 vertices, strips of ten columns: 4,020 handles.
+/// The scene with 201×201 vertices and strips of ten columns, which are 4,020 handles.
 const ReferenceScene& reference_scene();
 
 /// n×n vertices over the unit square, z = 0.02 sin(10πx) sin(10πy), as quads, with unit normals.
 Shape bumpy_plane(int n);
 
-/// The scene with a graph of m nodes, the same for every solver, not compiled yet. With a `side`
-/// its plane is that long and the energy is measured in its own unit: 2 makes a hard problem of it.
+/// The scene with a graph of m nodes, which are the same for every solver. It is not compiled yet.
+/// With a `side` [length] the plane is that long and the energy keeps the unit 1, so that a side of
+/// 2 makes a harder problem.
 EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver, double side = 0);
 
 }  // namespace deformlab

@@ -1,15 +1,16 @@
 #include "experiments/benchmarks/scaling.h"
 
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
 
+#include "experiments/benchmarks/ab_runner.h"
 #include "experiments/benchmarks/growth.h"
 #include "experiments/benchmarks/reference_scene.h"
 #include "solvers/stopwatch.h"
@@ -17,25 +18,25 @@
 namespace deformlab {
 namespace {
 
-constexpr double kMostGrowth = 1.35, kMostTransfers = 60, kLeastBandwidth = 0.6;
+template <class Action>
+double ms_of(Action&& action) {
+  double seconds = 0;
+  {
+    Stopwatch watch(seconds);
+    action();
+  }
+  return 1e3 * seconds;
+}
 
 template <class Action>
 double median_ms(int repetitions, Action&& action) {
   std::vector<double> all;
-  for (int i = 0; i < repetitions; ++i) {
-    double seconds = 0;
-    {
-      Stopwatch watch(seconds);
-      action();
-    }
-    all.push_back(1e3 * seconds);
-  }
-  std::nth_element(all.begin(), all.begin() + std::ssize(all) / 2, all.end());
-  return all[all.size() / 2];
+  for (int i = 0; i < repetitions; ++i) all.push_back(ms_of(action));
+  return spread(std::move(all)).median;
 }
 
-// What the process holds in memory (VmRSS) or the most that it has held since `forget_peak`
-// (VmHWM), in bytes by Linux's own account; 0 where there is none.
+// The bytes that the process holds in memory (VmRSS), or the most that it has held since
+// `forget_peak` (VmHWM), as Linux counts them; 0 on other systems.
 double resident(const char* key) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -49,7 +50,7 @@ void forget_peak() {
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-// Half of the bytes that a transfer reads and writes are read here, and as many written.
+// The copy reads half of the bytes that a transfer reads and writes, and writes as many.
 double copy_ms(const Embedding& e, int repetitions) {
   const std::size_t vertex = e.nodes.rows() * (sizeof(int) + sizeof(double)) + 6 * sizeof(double);
   const std::vector<char> from(std::size_t(e.v.cols()) * vertex / 2, 1);
@@ -68,25 +69,16 @@ void time_transfer(const EmbeddedDeformation& deformation, const Shape& rest, in
   scale.copy_ms = copy_ms(e, repetitions);
 }
 
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-  char text[512];
-  std::snprintf(text, sizeof text, pattern, args...);
-  return text;
-}
-
-const char* verdict(bool holds) { return holds ? "ok" : "falls short"; }
-
 std::string rows(const std::vector<Scale>& all) {
   std::string text =
       "| vertices | handles | nodes | registration, ms | compilation | update | steps | CG "
       "iterations | linear solver | status | F | peak memory, kB a node |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Scale& s : all) {
-    text += format("| %d | %d | %d | %.0f | %.1f | %.1f | %zu | %d | %s | %s | %.9g | %.1f |\n",
-                   s.vertices, s.handles, s.nodes, s.register_ms, s.compile_ms, s.update_ms,
-                   s.steps, s.cg_iterations, s.linear_solver.c_str(), s.status.c_str(), s.cost,
-                   s.peak_bytes / 1024 / s.nodes);
+    text += fmt::format(
+        "| {} | {} | {} | {:.0f} | {:.1f} | {:.1f} | {} | {} | {} | {} | {:.9g} | {:.1f} |\n",
+        s.vertices, s.handles, s.nodes, s.register_ms, s.compile_ms, s.update_ms, s.steps,
+        s.cg_iterations, s.linear_solver, s.status, s.cost, s.peak_bytes / 1024 / s.nodes);
   }
   return text;
 }
@@ -124,11 +116,11 @@ Scale scale(int side, int nodes, int repetitions) {
   Scale result;
   result.vertices = side * side;
   result.nodes = nodes;
-  double unused = 0;
   result.handles = static_cast<int>(scene.handles.moved.size());
   EmbeddedDeformationOptions options;
   options.graph.nodes = nodes;
-  const Stopwatch registration(unused);
+  double seconds = 0;
+  const Stopwatch registration(seconds);
   EmbeddedDeformation deformation(scene.shape, options);
   result.register_ms = 1e3 * registration.elapsed();
   forget_peak();
@@ -136,9 +128,9 @@ Scale scale(int side, int nodes, int repetitions) {
   std::vector<std::pair<double, double>> runs;
   for (int i = 0; i < repetitions; ++i) {
     deformation.reset();
-    const double compile = median_ms(1, [&] { deformation.compile(scene.handles); });
+    const double compile = ms_of([&] { deformation.compile(scene.handles); });
     Report report;
-    const double update = median_ms(1, [&] { report = deformation.update(scene.targets); });
+    const double update = ms_of([&] { report = deformation.update(scene.targets); });
     runs.emplace_back(compile, update - 1e3 * report.seconds.at("transfer"));
     result.steps = report.solve.iterations.size();
     result.cg_iterations = report.solve.cg_iterations;
@@ -162,24 +154,20 @@ double growth(const std::vector<Scale>& all) {
 
 std::string to_markdown(const std::vector<Scale>& growing, const std::vector<Scale>& large) {
   std::string text = rows(growing);
-  const double p = growth(growing);
-  text += format(
-      "\nTime to convergence, compilation and update, grows with nodes^%.2f; at most "
-      "nodes^%.2f is aimed at: %s.\n\n",
-      p, kMostGrowth, verdict(p <= kMostGrowth));
   text +=
-      rows(large) +
-      "\n| vertices | nodes | positions (Eq. 2), ms | normals (Eq. 3) | a copy of as many bytes "
-      "| share of its bandwidth: positions, normals | registration over one transfer of both; "
-      "of positions |\n|---|---|---|---|---|---|---|\n";
+      fmt::format("\nThe time to convergence (compilation and update) grows with nodes^{:.2f}.\n\n",
+                  growth(growing));
+  text += rows(large);
+  text +=
+      "\n| vertices | nodes | positions (Eq. 2), ms | normals (Eq. 3), ms | a copy of as many "
+      "bytes, ms | share of its bandwidth: positions, normals | registration over one transfer of "
+      "both; of positions |\n|---|---|---|---|---|---|---|\n";
   for (const Scale& s : large) {
-    const double positions = s.copy_ms / s.positions_ms, normals = s.copy_ms / s.normals_ms;
-    const double both = s.register_ms / (s.positions_ms + s.normals_ms);
-    text +=
-        format("| %d | %d | %.2f | %.2f | %.2f | %.2f, %.2f (%.1f: %s) | %.0f (%.0f: %s); %.0f |\n",
-               s.vertices, s.nodes, s.positions_ms, s.normals_ms, s.copy_ms, positions, normals,
-               kLeastBandwidth, verdict(std::min(positions, normals) >= kLeastBandwidth), both,
-               kMostTransfers, verdict(both <= kMostTransfers), s.register_ms / s.positions_ms);
+    text += fmt::format(
+        "| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f}, {:.2f} | {:.0f}; {:.0f} |\n", s.vertices,
+        s.nodes, s.positions_ms, s.normals_ms, s.copy_ms, s.copy_ms / s.positions_ms,
+        s.copy_ms / s.normals_ms, s.register_ms / (s.positions_ms + s.normals_ms),
+        s.register_ms / s.positions_ms);
   }
   return text;
 }

@@ -21,7 +21,7 @@ void describe(benchmark::State& state, const Summary& solve) {
   if (solve.status != Status::kConverged) state.SkipWithError(solve.message.c_str());
 }
 
-// The mean of one solve's steps; Ceres' preprocessing, our compilation, is left out.
+// The mean time of a step. Neither our compilation nor Ceres' preprocessing is in it.
 void step(benchmark::State& state, SolverMethod method, const char* linear_solver) {
   auto deformation =
       reference_deformation(static_cast<int>(state.range(0)), by(method, linear_solver));
@@ -36,7 +36,7 @@ void step(benchmark::State& state, SolverMethod method, const char* linear_solve
   describe(state, solve);
 }
 
-// Compilation and all steps, from rest.
+// The compilation and all steps from rest.
 void whole_solve(benchmark::State& state, SolverMethod method, const char* linear_solver) {
   auto deformation =
       reference_deformation(static_cast<int>(state.range(0)), by(method, linear_solver));
@@ -57,7 +57,7 @@ void whole_solve(benchmark::State& state, SolverMethod method, const char* linea
 void sizes(benchmark::internal::Benchmark* b) {
   for (const int m : {100, 222, 425, 1048, 2048, 4000}) b->Arg(m);
   b->ArgName("nodes")->UseManualTime()->Unit(benchmark::kMillisecond)->Complexity();
-  b->MinTime(0.05);  // of manual time: a step is a small part of what it takes to measure it
+  b->MinTime(0.05);  // of the timed parts: measuring one step takes a whole solve
 }
 
 BENCHMARK_CAPTURE(step, gauss_newton, SolverMethod::kGaussNewton, "cholmod")->Apply(sizes);

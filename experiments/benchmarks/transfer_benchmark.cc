@@ -1,4 +1,4 @@
-// Transfer of a graph's transformations to a million vertices.
+// The transfer of a graph's transformations to a million vertices.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ struct Million {
   Embedding embedding = embed(shape.V, nodes, GraphOptions{}.neighbors);
   Transformations X = rest_transformations(nodes.cols());
 
-  Million() {  // not at rest, and every R_j can be inverted
+  Million() {  // moves the nodes from rest; every R_j stays invertible
     for (Eigen::Index i = 0; i < X.size(); ++i) X.data()[i] += 0.1 * std::sin(double(i));
   }
 };

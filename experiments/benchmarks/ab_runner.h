@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace deformlab {
+
+/// What one run of one way gave.
+struct RunResult {
+  double ms = 0;  ///< the time that is compared
+  /// Further figures of the same run, by name. Their medians are reported.
+  std::vector<std::pair<std::string, double>> parts;
+  std::string status;     ///< how the solve ended; empty if nothing was solved
+  std::string blas;       ///< the BLAS that the solver used; empty if it used none
+  std::size_t steps = 0;  ///< of the solve
+  double cost = 0;        ///< F of the result
+};
+
+/// A way to do the work. `run` does it once; what can be prepared is prepared before.
+struct Way {
+  std::string name;  ///< with all settings that are not defaults
+  std::function<RunResult()> run;
+};
+
+/// Two ways of the same work, for each number of nodes or vertices in `sizes`.
+struct Scenario {
+  std::string name;
+  std::string against;  ///< what it is compared with
+  std::string unit;     ///< what a size counts
+  std::vector<int> sizes;
+  std::function<Way(int size)> ours, theirs;
+  int rounds = 1;  ///< how often the pair is measured for each repetition that the user asks for
+};
+
+/// The middle value and the extremes.
+struct Spread {
+  double median = 0, least = 0, most = 0;
+};
+
+/// Of at least one value; of an even number, the median is the mean of the two middle ones.
+Spread spread(std::vector<double> values);
+
+/// A scenario measured at one size: ours.ms[i] and theirs.ms[i] were measured one after the other.
+struct Measurement {
+  struct Side {
+    std::string way;
+    std::vector<double> ms;
+    std::vector<std::pair<std::string, std::vector<double>>> parts;
+    RunResult last;
+  };
+  std::string scenario, against, unit;
+  int size = 0;
+  Side ours, theirs;
+
+  Spread ratio() const;       ///< of theirs.ms[i] / ours.ms[i]: how many times as fast ours is
+  bool same_minimum() const;  ///< both costs agree to 1e-6, relative to ours
+};
+
+/// Runs both ways in turns, so that whatever else the machine does slows both. Our way runs once
+/// before, unmeasured. A pair of which one way takes more than three seconds is measured once.
+Measurement measure(const Scenario& scenario, int size, int repetitions);
+
+}  // namespace deformlab

@@ -1,0 +1,151 @@
+#include "experiments/benchmarks/ways.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "deformers/baselines/cgal_arap.h"
+#include "solvers/stopwatch.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kDrag = 0.01;       // of the side
+constexpr double kArapClose = 1e-4;  // of the side
+constexpr std::size_t kMostArapIterations = 200;
+
+Eigen::Matrix3Xd targets(double side, double lift) {
+  Eigen::Matrix3Xd result = reference_scene().targets;
+  for (auto target : result.colwise()) target.z() += target.x() > 0.5 ? lift : 0;
+  return side > 0 ? Eigen::Matrix3Xd(side * result) : result;
+}
+
+template <class Action>
+double ms_of(Action&& action) {
+  double seconds = 0;
+  {
+    Stopwatch watch(seconds);
+    action();
+  }
+  return 1e3 * seconds;
+}
+
+double compile_ms(Deformer& deformation) {
+  deformation.reset();
+  return ms_of([&] { deformation.compile(reference_scene().handles); });
+}
+
+RunResult update_without_transfer(EmbeddedDeformation& deformation,
+                                  const Eigen::Matrix3Xd& targets) {
+  Report report;
+  const double ms = ms_of([&] { report = deformation.update(targets); });
+  return result_of(ms - 1e3 * report.seconds.at("transfer"), report.solve);
+}
+
+}  // namespace
+
+std::string describe(const SolverOptions& o) {
+  if (o.method == "ceres") {
+    return fmt::format("ceres {}, {}, {}, one block for each {}", o.linear_solver,
+                       o.ceres_sparse_library, o.ceres_trust_region, o.ceres_blocks);
+  }
+  return fmt::format("gauss_newton {}, {}", o.linear_solver, o.globalization);
+}
+
+SolverOptions cholmod_options() {
+  SolverOptions options;
+  options.linear_solver = "cholmod";
+  return options;
+}
+
+SolverOptions ceres_options(const std::string& linear_solver, const std::string& blocks,
+                            const std::string& trust_region, const std::string& sparse_library) {
+  SolverOptions options;
+  options.method = "ceres";
+  options.linear_solver = linear_solver;
+  options.ceres_blocks = blocks;
+  options.ceres_trust_region = trust_region;
+  options.ceres_sparse_library = sparse_library;
+  return options;
+}
+
+RunResult result_of(double ms, const Summary& solve) {
+  return {ms, {}, to_string(solve.status), solve.blas, solve.iterations.size(), solve.final_cost};
+}
+
+Way from_rest(int nodes, const SolverOptions& options, double side) {
+  auto deformation =
+      std::make_shared<EmbeddedDeformation>(reference_deformation(nodes, options, side));
+  return {describe(options), [deformation, side] {
+            const double compile = compile_ms(*deformation);
+            RunResult result = update_without_transfer(*deformation, targets(side, 0));
+            result.ms += compile;
+            return result;
+          }};
+}
+
+Way with_transfer(int nodes) {
+  const SolverOptions options;
+  auto deformation = std::make_shared<EmbeddedDeformation>(reference_deformation(nodes, options));
+  return {describe(options) + ", and the transfer", [deformation] {
+            const double compile = compile_ms(*deformation);
+            Summary solve;
+            const double update =
+                ms_of([&] { solve = deformation->update(reference_scene().targets).solve; });
+            return result_of(compile + update, solve);
+          }};
+}
+
+Way drag(int nodes, const SolverOptions& options) {
+  auto deformation = std::make_shared<EmbeddedDeformation>(reference_deformation(nodes, options));
+  deformation->compile(reference_scene().handles);
+  deformation->update(targets(0, 0));
+  return {describe(options), [deformation] {
+            // The first of the two drags is not timed: it refills the caches, which the other way
+            // used in between.
+            deformation->update(targets(0, kDrag));
+            return update_without_transfer(*deformation, targets(0, 0));
+          }};
+}
+
+Way step(int nodes, const SolverOptions& options) {
+  auto deformation = std::make_shared<EmbeddedDeformation>(reference_deformation(nodes, options));
+  return {describe(options), [deformation] {
+            const double compile = compile_ms(*deformation);
+            Summary solve = deformation->update(reference_scene().targets).solve;
+            const double total = 1e3 * solve.seconds["total"];
+            const double steps = std::max(1.0, double(solve.iterations.size()));
+            RunResult result =
+                result_of((total - 1e3 * solve.seconds["preprocess"]) / steps, solve);
+            result.parts = {{"whole solve", compile + total}};
+            return result;
+          }};
+}
+
+Way cgal_arap_from_rest() {
+  CgalArapOptions options;
+  options.iterations = 1;
+  options.tolerance = 1e-12;
+  auto deformation = std::make_shared<CgalArap>(reference_scene().shape, options);
+  return {"CGAL as-rigid-as-possible, spokes and rims, until nothing moves by 1e-4 of the side",
+          [deformation] {
+            double ms = compile_ms(*deformation);
+            Summary solve;
+            std::size_t iterations = 0;
+            double moved = 1;
+            while (moved > kArapClose && iterations < kMostArapIterations) {
+              const Eigen::Matrix3Xd before = deformation->deformed().V;
+              ms += ms_of([&] { solve = deformation->update(reference_scene().targets).solve; });
+              moved = (deformation->deformed().V - before).colwise().norm().maxCoeff();
+              ++iterations;
+            }
+            RunResult result = result_of(ms, solve);
+            result.steps = iterations;
+            result.status =
+                to_string(moved > kArapClose ? Status::kMaxIterations : Status::kConverged);
+            return result;
+          }};
+}
+
+}  // namespace deformlab

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "experiments/benchmarks/ab_runner.h"
+#include "experiments/benchmarks/reference_scene.h"
+#include "solvers/options.h"
+
+namespace deformlab {
+
+std::string describe(const SolverOptions& options);
+
+SolverOptions cholmod_options();
+SolverOptions ceres_options(const std::string& linear_solver, const std::string& blocks,
+                            const std::string& trust_region,
+                            const std::string& sparse_library = "suite_sparse");
+
+/// What a solve says of itself, with the time that is compared.
+RunResult result_of(double ms, const Summary& solve);
+
+/// Compilation and update from rest, without the transfer, which is the same for all solvers. With
+/// a `side` the plane is that long: 2 makes a hard problem (see reference_deformation).
+Way from_rest(int nodes, const SolverOptions& options, double side = 0);
+
+/// The same with the transfer to all vertices, by the default solver.
+Way with_transfer(int nodes);
+
+/// A drag by 1 % of the side that follows another one, without the transfer.
+Way drag(int nodes, const SolverOptions& options);
+
+/// The mean time of a step of a solve from rest, without our compilation or Ceres' preprocessing.
+Way step(int nodes, const SolverOptions& options);
+
+/// CGAL's as-rigid-as-possible deformation of all vertices, until an iteration moves no vertex by
+/// more than 1e-4 of the side.
+Way cgal_arap_from_rest();
+
+}  // namespace deformlab
