@@ -65,7 +65,8 @@ class Linearization {
   const SparseMatrix& A() const { return A_; }
   /// The derivatives of the linear and the nonlinear terms.
   const std::vector<const ElementDerivatives*>& derivatives() const { return derivatives_; }
-  /// Those of the nonlinear terms, which change.
+  /// The nonlinear terms. Their derivatives, which change, are the last ones above.
+  const std::vector<NonlinearPart>& nonlinear_parts() const { return nonlinear_; }
 
   /// The lower triangle of C, where C ⊗ I_d is the nearest such matrix, in the Frobenius norm, to
   /// what the other terms add to JᵀJ: each d×d block counts by its mean diagonal. C has every entry
