@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/subjects/shape/edit.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 
