@@ -126,7 +126,7 @@ class Builder {
         std::erase_if(graph.edges, [](const GraphEdge& edge) { return edge.alpha == 0; });
     if (left_out == 0) return;
     built_.notes.push_back(fmt::format(
-        "alpha: overlap leaves out {} edges that join nodes without a common vertex", left_out));
+        "alpha: overlap leaves out edges that join nodes without a common vertex: {}", left_out));
   }
 
   void cut(DeformationGraph& graph) {
@@ -168,10 +168,10 @@ class Builder {
                       m, shape_.V.cols()));
     }
     if (embedded.unreached > 0) {
-      built_.notes.push_back(fmt::format(
-          "{} vertices are on parts of the surface where no node is, and follow the nodes that are "
-          "nearest in space; use more nodes",
-          embedded.unreached));
+      built_.notes.push_back(
+          fmt::format("vertices on parts of the surface where no node is follow the nodes that are "
+                      "nearest in space: {}; use more nodes",
+                      embedded.unreached));
     }
   }
 

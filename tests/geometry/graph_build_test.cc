@@ -211,7 +211,7 @@ TEST(BuildGraph, EdgesByHandWithoutOverlapJoinNothingWhereOverlapWeighs) {
   options.alpha = EdgeWeights::kOverlap;
   const BuiltGraph built = build_graph(two, options);
   EXPECT_EQ(std::ranges::max(components(built.graph)), 1);
-  EXPECT_THAT(built.notes, Contains(HasSubstr("2 edges that join nodes without a common vertex")));
+  EXPECT_THAT(built.notes, Contains(HasSubstr("edges that join nodes without a common vertex")));
   double sum = 0;
   for (const GraphEdge& edge : built.graph.edges) {
     EXPECT_GT(edge.alpha, 0);
