@@ -19,9 +19,15 @@ function(deformlab_precompiled_headers name libraries headers)
   deformlab_precompile_flags(${name})
 endfunction()
 
-# GCC takes a precompiled header only where the flags are those that it was made with.
+# GCC takes a precompiled header only if the flags are those that it was made with. CMake would give
+# -fPIE to programs.
 function(deformlab_precompile_flags target)
-  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL EXECUTABLE)
+    target_compile_options(${target} PRIVATE -fPIC)
+  else()
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # ccache needs it
 endfunction()
