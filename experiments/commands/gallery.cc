@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "experiments/commands/results.h"
+#include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
 namespace deformlab {
@@ -15,18 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::string claim_line(const Json& claim) {
-  char measured[32] = "no number";  // JSON cannot hold NaN and infinity
-  if (claim.at("measured").is_number()) {
-    std::snprintf(measured, sizeof measured, "%.4g", claim.at("measured").get<double>());
-  }
+  const Json& value = claim.at("measured");  // JSON has neither NaN nor infinity
+  const std::string measured =
+      value.is_number() ? fmt::format("{:.4g}", value.get<double>()) : "no number";
   const std::string known = claim.value("known", ""), says = claim.value("says", "");
   std::string line = "| " + claim.value("name", "") + " | " + says + " | " + measured + " | " +
                      claim.value("expected", "") + " | ";
@@ -34,7 +25,7 @@ std::string claim_line(const Json& claim) {
   return line + (known.empty() ? "" : ": " + known) + " |\n";
 }
 
-// How large each run is. A config sets these numbers, so they are shown and not claimed.
+// The size of each run. A config sets these numbers, so they are shown and not claimed.
 std::string sizes_line(const Json& runs) {
   std::string text;
   for (const char* name : {"vertices", "nodes", "handles"}) {
@@ -51,7 +42,7 @@ std::string sizes_line(const Json& runs) {
   return text.empty() ? "" : text + ".\n\n";
 }
 
-// A link for each picture of an image sequence.
+// Links to the pictures of an image sequence.
 std::string sequence_line(const fs::path& folder) {
   std::error_code none;
   std::set<std::string> names;  // sorted
@@ -67,7 +58,7 @@ std::string sequence_line(const fs::path& folder) {
 }
 
 std::string section(const fs::path& folder) {
-  const Json metrics = Json::parse(contents(folder / "metrics.json"));
+  const Json metrics = Json::parse(read_file(folder / "metrics.json"));
   const std::string name = folder.filename().string();
   std::string text = "## " + name + "\n\n" + metrics.value("title", "") + "\n\n";
   const std::string paper = metrics.value("paper", "");
@@ -79,15 +70,17 @@ std::string section(const fs::path& folder) {
     for (const Json& claim : metrics["claims"]) text += claim_line(claim);
     text += "\n";
   }
-  if (fs::exists(folder / "table.md")) text += contents(folder / "table.md") + "\n";
+  if (fs::exists(folder / "table.md")) text += read_file(folder / "table.md") + "\n";
   return text + "`./deformlab run configs/" + name + ".yaml`\n\n";
 }
 
-// A folder whose metrics.json is not ours is left out.
+// A folder whose metrics.json is not ours, or that another run is about to replace, is left out.
 std::string section_or_nothing(const fs::path& folder) {
   try {
     return section(folder);
   } catch (const Json::exception&) {
+    return "";
+  } catch (const InputError&) {
     return "";
   }
 }

@@ -7,7 +7,6 @@
 
 #include "experiments/commands/commands.h"
 #include "experiments/config/suggest.h"
-#include "experiments/subjects/animation/animate_command.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/deformation_graph.h"
 #include "geometry/plane/triangulation.h"
@@ -30,13 +29,15 @@ using namespace deformlab;
 
 int dispatch(const std::string& command, const std::vector<std::string>& arguments) {
   if (command == "run") return run_command(arguments, FLAGS_out.empty() ? "results" : FLAGS_out);
-  if (command == "deform") {
-    return deform_command(arguments, {FLAGS_edit, FLAGS_out, FLAGS_metrics, FLAGS_picture,
-                                      FLAGS_nodes, FLAGS_vertices});
-  }
+  const CommandLine line{.edit = FLAGS_edit,
+                         .out = FLAGS_out,
+                         .metrics = FLAGS_metrics,
+                         .picture = FLAGS_picture,
+                         .nodes = FLAGS_nodes,
+                         .vertices = FLAGS_vertices};
+  if (command == "deform") return deform_command(arguments, line);
   if (command == "animate") {
-    return animate_command(arguments, {FLAGS_frames, FLAGS_particles, FLAGS_edit, FLAGS_out,
-                                       FLAGS_metrics, FLAGS_picture, FLAGS_nodes});
+    return animate_command(arguments, FLAGS_frames, FLAGS_particles, line);
   }
   if (command == "help" || command == "list") {
     std::fputs((command == "help" ? help_text() : list_text()).c_str(), stdout);
@@ -53,7 +54,7 @@ std::string value_of(const std::string& name, const std::string& type, int argc,
   throw InputError("--" + name + " needs a value");
 }
 
-// gflags' own parser would end the program with status 1 and name no near flag.
+// The parser of gflags would end the program with status 1 and would not suggest a flag.
 std::vector<std::string> parse_flags(int argc, char** argv) {
   std::vector<std::string> others;
   for (int i = 1; i < argc; ++i) {
@@ -93,7 +94,7 @@ bool asks_for_help(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Quiet unless asked: warnings only, without the prefix that a log file needs.
+  // By default only warnings are shown, without the prefix that a log file needs.
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_WARNING;
   FLAGS_log_prefix = false;

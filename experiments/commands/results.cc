@@ -1,16 +1,12 @@
 #include "experiments/commands/results.h"
 
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <system_error>
 
 #include "experiments/commands/environment.h"
-#include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
 namespace deformlab {
@@ -21,16 +17,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFrames = "frames";
 
-// Columns of a sweep's table, beside the keys that it sweeps.
+// Columns of the table of a sweep, besides the keys that it sweeps over.
 constexpr const char* kTableMetrics[] = {"iterations",          "converged", "cost",
                                          "handle_rms_relative", "min_det_R", "shear_mean",
                                          "stretch_max"};
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 Json json(const Metrics& metrics) {
   Json object = Json::object();
@@ -52,7 +42,7 @@ Json solver_json(const Summary& s) {
           {"message", s.message}};
 }
 
-// The same beside metrics, where its method goes by the name of the solver.
+// The same beside metrics, where the method is called the solver.
 Json flat_solver_json(const Summary& s) {
   Json document{{"solver", s.method}};
   document.update(solver_json(s));
@@ -60,7 +50,7 @@ Json flat_solver_json(const Summary& s) {
   return document;
 }
 
-// All but costs, and counts as whole numbers.
+// Adds all metrics but costs. Counts are whole numbers.
 void add_metrics(const Metrics& metrics, Json& document) {
   for (const auto& [name, value] : metrics) {
     if (!name.starts_with("cost")) document[name] = value;
@@ -69,6 +59,21 @@ void add_metrics(const Metrics& metrics, Json& document) {
                             "inside_out", "frames", "solves", "handles"}) {
     if (document.contains(count)) document[count] = document[count].get<long>();
   }
+}
+
+// seconds.compile as `compile`, seconds.solve.factor as `factor` in `solve_by_phase`.
+Json nested_seconds(const Metrics& seconds) {
+  Json document = Json::object();
+  for (const auto& [full_name, value] : seconds) {
+    const std::string name = full_name.substr(full_name.find('.') + 1);
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos) {
+      document[name] = value;
+    } else {
+      document[name.substr(0, dot) + "_by_phase"][name.substr(dot + 1)] = value;
+    }
+  }
+  return document;
 }
 
 void add_circumstances(const Summary& solve, const std::vector<std::string>& notes,
@@ -125,17 +130,11 @@ std::string trace_csv(const Summary& solve) {
   return csv.str();
 }
 
-std::string picture_name(std::size_t i) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%04zu.png", i);
-  return name;
-}
+std::string picture_name(std::size_t i) { return fmt::format("{:04}.png", i); }
 
 std::string trace_name(std::size_t run, std::size_t runs) {
   if (runs == 1) return "trace.csv";
-  char name[32];
-  std::snprintf(name, sizeof name, "trace_%03zu.csv", run + 1);
-  return name;
+  return fmt::format("trace_{:03}.csv", run + 1);
 }
 
 // All keys that any of the runs sets, in the order in which they first appear.
@@ -171,58 +170,17 @@ std::string table_md(const Outcome& outcome) {
     for (const std::string& key : keys) text += " " + setting(run.measured, key) + " |";
     for (const char* name : kTableMetrics) {
       const auto found = run.measured.metrics.find(name);
-      text += found == run.measured.metrics.end() ? "  |" : " " + number(found->second) + " |";
+      text += found == run.measured.metrics.end() ? "  |" : fmt::format(" {:.6g} |", found->second);
     }
     text += "\n";
   }
   return text;
 }
 
-// What not every run of a config writes, so that an older run's could be left.
-bool may_be_outdated(const fs::path& name) {
-  return name.string().starts_with("trace") || name == "table.md" || name == kFrames;
-}
-
 }  // namespace
 
-AtomicFolder::AtomicFolder(fs::path target) : target_(std::move(target)) {
-  std::error_code error;
-  for (fs::path p = target_.parent_path(); !p.empty() && !fs::exists(p, error);) {
-    made_.push_back(p);
-    p = p.parent_path();
-  }
-  fs::create_directories(target_.parent_path().empty() ? "." : target_.parent_path(), error);
-  const bool taken = !error && fs::exists(target_, error) && !fs::is_directory(target_, error);
-  temporary_ = target_.parent_path() /
-               ("." + target_.filename().string() + ".partial" + std::to_string(getpid()));
-  if (!error && !taken) fs::create_directory(temporary_, error);
-  if (!error && !taken) return;
-  throw InputError("cannot write the folder '" + target_.string() +
-                   "': " + (taken ? "a file of that name is in the way" : error.message()));
-}
-
-AtomicFolder::~AtomicFolder() {
-  std::error_code ignored;
-  fs::remove_all(temporary_, ignored);
-  for (const fs::path& folder : made_) fs::remove(folder, ignored);  // those that stayed empty
-}
-
-void AtomicFolder::commit() {
-  try {
-    const fs::path old = temporary_.string() + ".old";
-    if (fs::exists(target_)) {
-      for (const auto& entry : fs::directory_iterator(target_)) {  // what others put there stays
-        const fs::path name = entry.path().filename();
-        if (fs::exists(temporary_ / name) || may_be_outdated(name)) continue;
-        fs::copy(entry.path(), temporary_ / name, fs::copy_options::recursive);
-      }
-      fs::rename(target_, old);
-    }
-    fs::rename(temporary_, target_);
-    fs::remove_all(old);
-  } catch (const fs::filesystem_error& e) {
-    throw InputError("cannot write the folder '" + target_.string() + "': " + e.code().message());
-  }
+bool is_result(const fs::path& name) {
+  return name.string().starts_with("trace") || name == "table.md" || name == kFrames;
 }
 
 void write_results(const Outcome& outcome, const fs::path& folder) {
@@ -241,22 +199,16 @@ void write_results(const Outcome& outcome, const fs::path& folder) {
   }
 }
 
-std::string to_json(const Report& report) {
-  Json document = flat_solver_json(report.solve);
-  add_metrics(metrics_of(report), document);
-  document["cost"] = {{"total", report.solve.final_cost},
-                      {"by_term", json(report.solve.cost_by_term)}};
-  document["seconds"] = json(report.seconds);
-  document["seconds"]["solve_by_phase"] = json(report.solve.seconds);
-  add_circumstances(report.solve, report.notes, document);
-  return document.dump(1) + "\n";
-}
-
 std::string to_json(const Run& run) {
   Json document = flat_solver_json(run.solve);
   add_metrics(run.measured.metrics, document);
-  for (const char* of_last : {"status", "message", "initial_cost"}) document.erase(of_last);
-  document["seconds"] = json(run.seconds);
+  if (run.many_solves) {
+    for (const char* of_last : {"status", "message", "initial_cost"}) document.erase(of_last);
+    document["seconds"] = json(run.seconds);
+  } else {
+    document["cost"] = {{"total", run.solve.final_cost}, {"by_term", json(run.solve.cost_by_term)}};
+    document["seconds"] = nested_seconds(run.seconds);
+  }
   add_circumstances(run.solve, run.notes, document);
   return document.dump(1) + "\n";
 }

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <map>
 
+#include "experiments/commands/atomic_folder.h"
 #include "experiments/commands/commands.h"
 #include "experiments/commands/results.h"
 #include "geometry/core/error.h"
@@ -10,13 +11,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the program stands, on standard error: the results' own place is standard output.
+// Progress goes to standard error, because results go to standard output.
 void show_progress(const std::string& name, std::size_t i, std::size_t n, const std::string& what) {
   std::fprintf(stderr, "%s: run %zu of %zu%s%s\n", name.c_str(), i, n, what.empty() ? "" : ": ",
                what.c_str());
 }
 
-// A solve that failed has no result. Only a config that makes a claim of it may expect that.
+// A solve that failed has no result. Only a config with a claim about `converged` may expect one.
 bool report_failures(const std::string& name, const Outcome& outcome) {
   bool failed = false, expected = false;
   for (const Claim& claim : outcome.config.claims) expected |= claim.measure == "converged";
@@ -29,11 +30,11 @@ bool report_failures(const std::string& name, const Outcome& outcome) {
   return !failed || expected;
 }
 
-// True where every claim holds, or falls short for a known reason.
+// Returns whether every claim holds or falls short for a known reason.
 bool run_config(const fs::path& config, const std::vector<Override>& overrides,
                 const fs::path& out) {
   const std::string name = config.stem().string();
-  AtomicFolder folder(out / name);
+  AtomicFolder folder(out / name, is_result);
   const Outcome outcome = run_experiment(config, overrides, [&](auto i, auto n, const auto& what) {
     show_progress(name, i, n, what);
   });
@@ -68,7 +69,7 @@ int run_command(const std::vector<std::string>& arguments, const fs::path& out) 
   std::vector<fs::path> configs;
   std::vector<Override> overrides;
   for (const std::string& argument : arguments) {
-    std::error_code ignored;  // a long override is no possible file name
+    std::error_code ignored;  // an override may be too long for a file name
     if (argument.find('=') != std::string::npos && !fs::exists(argument, ignored)) {
       overrides.push_back(parse_override(argument));
     } else {

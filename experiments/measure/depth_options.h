@@ -17,10 +17,10 @@ constexpr auto names_of(DepthFront) {
       {{kEnds, "ends"}, {kRight, "right"}, {kLeft, "left"}, {kBottom, "bottom"}, {kTop, "top"}});
 }
 
-/// How parts of a drawing that come to lie over each other are put in order (Igarashi et al. 2005,
-/// section 5.1).
+/// Which of two parts of a drawing is in front where they overlap (Igarashi et al. 2005, section
+/// 5.1).
 struct DepthOptions {
-  DepthFront front = DepthFront::kEnds;  ///< the order that is defined beforehand
+  DepthFront front = DepthFront::kEnds;  ///< the order of the drawing at rest
   bool adjust = true;  ///< false: each triangle keeps the depth that it has at rest
 
   template <class Self, class Visit>
@@ -39,13 +39,17 @@ class DrawingDepth {
  public:
   DrawingDepth(const DepthOptions& options, const Triangulation& rest);
 
-  /// The vertices are at V (2×#V). Returns a depth a triangle (#F), higher is nearer.
+  /// V is where the vertices are, 2×#V. Returns the depth of each triangle (#F); a higher one is
+  /// nearer.
   const Eigen::VectorXd& update(const Eigen::Matrix2Xd& V);
 
-  /// On the last update: overlap_area, in areas of the drawing at rest; overlap_regions; and
-  /// interpenetration, the greatest share of a region where the sheet is in front that is behind in
-  /// the rest of it (0 where one sheet of each is wholly in front, ½ at most), with the depths that
-  /// were returned, interpenetration_static with those of the vertices at rest.
+  /// About the last update:
+  ///   overlap_area             overlapping area, as a part of the drawing's area at rest
+  ///   overlap_regions          number of regions in which parts overlap
+  ///   interpenetration         the greatest share of a region in which the sheet is in front that
+  ///                            is behind in the rest of the region: 0 where one sheet of each
+  ///                            region is wholly in front, and at most ½
+  ///   interpenetration_static  the same with the depths of the vertices at rest
   Metrics metrics(const Eigen::Matrix2Xd& V) const;
 
  private:

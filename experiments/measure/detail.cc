@@ -14,9 +14,9 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-constexpr double kNoDetail = 1e-9;  // of the diagonal
+constexpr double kNoDetail = 1e-9;  // as a part of the diagonal; less is no detail
 
-// The vertices of edges that have one triangle: there a surface ends.
+// Marks the vertices of edges that have only one triangle.
 std::vector<char> on_boundary(const Eigen::Matrix3Xi& T, Eigen::Index count) {
   std::map<std::pair<int, int>, int> triangles;
   for (const auto t : T.colwise()) {
@@ -29,24 +29,24 @@ std::vector<char> on_boundary(const Eigen::Matrix3Xi& T, Eigen::Index count) {
   return result;
 }
 
-// The smooth base of surfaces that share one triangulation.
+// Computes the smooth base of surfaces that share one triangulation.
 class Smoother {
  public:
   Smoother(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, double length)
-      : held_(on_boundary(T, V.cols())),
+      : pinned_(on_boundary(T, V.cols())),
         mass_(Eigen::VectorXd::Constant(V.cols(), 1e-12 * length * length)) {
     for (const auto t : T.colwise()) {
       for (int i = 0; i < 3; ++i) add_corner(V, t[i], t[(i + 1) % 3], t[(i + 2) % 3], length);
     }
     for (int i = 0; i < V.cols(); ++i) {
-      if (held_[i]) mass_[i] = 1;
+      if (pinned_[i]) mass_[i] = 1;
       free_.emplace_back(i, i, mass_[i]);
     }
     Matrix A(V.cols(), V.cols());
     A.setFromTriplets(free_.begin(), free_.end());
     solver_.compute(A);
     coupling_.resize(V.cols(), V.cols());
-    coupling_.setFromTriplets(to_held_.begin(), to_held_.end());
+    coupling_.setFromTriplets(to_pinned_.begin(), to_pinned_.end());
   }
 
   Eigen::Matrix3Xd base(const Eigen::Matrix3Xd& V) const {
@@ -58,7 +58,7 @@ class Smoother {
   }
 
  private:
-  // The cotangent at c of the edge from a to b.
+  // Adds the cotangent of the angle at c, which is opposite to the edge from a to b.
   void add_corner(const Eigen::Matrix3Xd& V, int a, int b, int c, double length) {
     const Eigen::Vector3d u = V.col(a) - V.col(c), w = V.col(b) - V.col(c);
     const double area = u.cross(w).norm() / 2;
@@ -66,21 +66,21 @@ class Smoother {
     // A negative weight, at an obtuse angle, could turn smoothing into its opposite.
     const double weight = std::max(0.0, length * length * u.dot(w) / (4 * area));
     for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
-      if (held_[i]) continue;
+      if (pinned_[i]) continue;
       free_.emplace_back(i, i, weight);
-      (held_[j] ? to_held_ : free_).emplace_back(i, j, -weight);
+      (pinned_[j] ? to_pinned_ : free_).emplace_back(i, j, -weight);
     }
     mass_[c] += area / 3;
   }
 
-  std::vector<char> held_;
-  std::vector<Eigen::Triplet<double>> free_, to_held_;
+  std::vector<char> pinned_;
+  std::vector<Eigen::Triplet<double>> free_, to_pinned_;
   Eigen::VectorXd mass_;
   Matrix coupling_;
   Eigen::SimplicialLDLT<Matrix> solver_;
 };
 
-// For each vertex another one that it shares an edge with.
+// For each vertex, another one with which it shares an edge, or -1.
 Eigen::VectorXi neighbors(const Eigen::Matrix3Xi& T, Eigen::Index count) {
   Eigen::VectorXi result = Eigen::VectorXi::Constant(count, -1);
   for (const auto t : T.colwise()) {

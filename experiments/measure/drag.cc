@@ -6,19 +6,15 @@
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
-namespace {
-
-Eigen::Matrix3Xd places_at_rest(const Shape& rest, const Handles& handles) {
-  Eigen::Matrix3Xd places(3, handles.targets());
-  places << rest.V(Eigen::all, handles.moved), handles.points;
-  return places;
+Eigen::Matrix3Xd targets_at_rest(const Shape& rest, const Handles& handles) {
+  Eigen::Matrix3Xd targets(3, handles.targets());
+  targets << rest.V(Eigen::all, handles.moved), handles.points;
+  return targets;
 }
-
-}  // namespace
 
 DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
                 const DragOptions& options, const std::function<void()>& after) {
-  const Eigen::Matrix3Xd from = places_at_rest(rest, edit.handles);
+  const Eigen::Matrix3Xd from = targets_at_rest(rest, edit.handles);
   const int updates = options.back ? 2 * options.steps : options.steps;
   DragReport result;
   double most = 0, sum = 0;

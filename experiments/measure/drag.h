@@ -8,11 +8,11 @@
 
 namespace deformlab {
 
-/// How the handles come to their targets: a user's hand drags them there in small steps, each an
-/// update that starts from the last.
+/// How the handles go to their targets: in small steps, as a user drags them. Each step is an
+/// update that starts from the result of the last one.
 struct DragOptions {
-  int steps = 1;      ///< updates, the handles going the same way in each
-  bool back = false;  ///< and as many back to where they began
+  int steps = 1;      ///< number of updates, in each of which the handles go the same distance
+  bool back = false;  ///< whether they go back to where they began, in as many updates
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -23,16 +23,21 @@ struct DragOptions {
   }
 };
 
-/// What a drag did: of its last update the report, of all of them iterations_max and
-/// iterations_mean, finite (1, or 0 where a vertex ever was not), seconds.update, the median
-/// of each, and seconds.update.PHASE, that of the solver's phases.
+/// What a drag did: the report of its last update, and metrics of all its updates, which are
+/// iterations_max, iterations_mean, and finite (1, or 0 where a vertex was not finite after any of
+/// them). The seconds are medians over the updates: seconds.update, and seconds.update.PHASE for
+/// each phase of the solver.
 struct DragReport {
   Report last;
   Metrics metrics, seconds;
 };
 
-/// Moves the handles of a compiled deformer from their places in `rest` to their targets; `after`
-/// is called after each update.
+/// Where the targets of handles are in the rest shape: handles.moved, then handles.points, 3×#
+/// [length].
+Eigen::Matrix3Xd targets_at_rest(const Shape& rest, const Handles& handles);
+
+/// Moves the handles of a compiled deformer from where they are in `rest` to their targets, and
+/// calls `after` after each update.
 DragReport drag(
     Deformer& deformer, const Shape& rest, const ResolvedEdit& edit, const DragOptions& options,
     const std::function<void()>& after = [] {});

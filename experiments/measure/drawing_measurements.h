@@ -7,22 +7,22 @@
 
 namespace deformlab {
 
-/// How a drawing's mesh fares when its vertices come to V (2×#V):
-///   area_ratio      its area over that at rest, triangles that are turned over counting negative
-///   flipped         number of triangles that are turned over
-///   arap            Σ ‖e'' − R e‖² over the edges e of all triangles, R the best rotation of each,
-///                   over Σ ‖e‖²: what step two of Igarashi et al. 2005 lowers, at its own
-///                   rotations
-///   shear_mean, … stretch_max, edge_error_mean   as `distortion` says
+/// Measures the deformation of a drawing's mesh whose vertices are at V (2×#V):
+///   area_ratio      its area over that at rest, where triangles that are turned over count
+///   negative flipped         number of triangles that are turned over arap            Σ ‖e'' − R
+///   e‖² over the edges e of all triangles, R the best rotation of each,
+///                   over Σ ‖e‖². Step two of Igarashi et al. 2005 lowers the same sum, with the
+///                   rotations of step one
+///   shear_mean, shear_max, stretch_mean, stretch_max, edge_error_mean   see `distortion`
 Metrics plane_distortion(const Triangulation& rest, const Eigen::Matrix2Xd& V);
 
-/// painted_shear_max and painted_stretch_max: over the triangles with a weight other than 1 (one
-/// weight a triangle). Nothing where there are none.
+/// painted_shear_max and painted_stretch_max, over the triangles whose weight is not 1; `weights`
+/// has one for each triangle. Empty where there is no such triangle.
 Metrics painted_distortion(const Triangulation& rest, const Eigen::Matrix2Xd& V,
                            const Eigen::VectorXd& weights);
 
-/// off_line_max: how far a vertex moves at right angles to the line through two places a and b, in
-/// lengths between them (Igarashi et al. 2005, Figure 19).
+/// off_line_max: the greatest distance that a vertex moves at right angles to the line through the
+/// points a and b, as a multiple of the distance between them (Igarashi et al. 2005, Figure 19).
 Metrics off_line(const Triangulation& rest, const Eigen::Matrix2Xd& V, const Eigen::Vector2d& a,
                  const Eigen::Vector2d& b);
 

@@ -37,15 +37,16 @@ struct MeasureOptions {
 /// Throws InputError for options out of range, and a region that is no selection.
 void check(const MeasureOptions& options);
 
-/// The vertices of the region, ascending; none where no region is measured. Throws InputError where
-/// it selects nothing.
+/// The vertices of the region in ascending order; none where no region is measured. Throws
+/// InputError where the region selects nothing.
 std::vector<int> region_of(const MeasureOptions& options, const Shape& shape);
 
-/// The places of a list of coordinates, 3×n; with d = 2 each has two. Throws InputError where it is
-/// no such list.
+/// The points of a list, 3×n. Each has d coordinates in the list; with d = 2 the third is 0. Throws
+/// InputError where it is not such a list.
 Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d);
 
-/// probe_1_x, probe_1_y, probe_1_z, …: how far each probe went (3×n), in units of `size`.
+/// probe_1_x, probe_1_y, probe_1_z, probe_2_x and so on: by which vector each probe moved. The
+/// columns of `way` (3×n) are divided by `size`.
 Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size);
 
 }  // namespace deformlab

@@ -5,10 +5,12 @@
 namespace deformlab {
 
 /// stripes: how striped a bent plane is across its x axis [degree] (Sumner et al. 2007, Figure 5).
-/// Its slope along x, atan2(Δz, Δx) from a column of vertices to the next, is averaged over the
-/// rows, which leaves what runs across the whole plane; less its mean over a window of columns,
-/// which takes the bending itself away; root mean square over the columns.
-///   V  3×(columns·rows) vertices, row by row; window  odd, 3 … columns − 1
+/// The slope along x from a column of vertices to the next, atan2(Δz, Δx), is averaged over the
+/// rows, so that only what runs across the whole plane remains. Then the mean slope in a window of
+/// columns is subtracted, so that the bending itself does not count. The result is the root mean
+/// square over the columns.
+///   V       3×(columns·rows) vertices, row by row
+///   window  an odd number from 3 to columns − 1
 /// Throws InputError for a window out of range.
 Metrics stripes(const Eigen::Matrix3Xd& V, int columns, int window);
 

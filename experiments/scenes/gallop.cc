@@ -29,18 +29,18 @@ enum Joint {
   kJoints = kHip + 6
 };
 
-// What a joint turns about, across the body, and the joint that carries it.
+// The point that a joint turns about, on an axis across the body, and the joint that carries it.
 struct JointPlace {
   int parent;
   Vector3d at;
 };
 
-// A limb: a ball that goes from a to b and grows or shrinks; it moves with its joint.
+// A limb is the way of a ball that goes from a to b and grows or shrinks. It moves with its joint.
 struct Limb {
   int joint;
   Vector3d a, b;
   double radius_a, radius_b;
-  double blend;  // how softly it joins the others [length]
+  double blend;  // the width of the smooth transition to other limbs [length]
 };
 
 Vector3d right(Vector3d p, bool mirrored) {
@@ -109,7 +109,7 @@ std::vector<Limb> all_limbs() {
   return limbs;
 }
 
-// Of a point to the surface of a limb, negative within.
+// The distance of a point from the surface of a limb, negative within.
 double distance(const Limb& limb, const Vector3d& p) {
   const Vector3d along = limb.b - limb.a;
   const double t = std::clamp((p - limb.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
@@ -140,7 +140,7 @@ Eigen::VectorXd influence_at(const std::vector<Limb>& limbs, const Vector3d& p) 
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// The angle of each joint about the axis that points to the left: what hangs goes back with it.
+// The angle of each joint about the axis that points to the left. A positive one swings a leg back.
 std::array<double, kJoints> angles(double time) {
   const double cycle = 2 * std::numbers::pi * time;
   std::array<double, kJoints> a{};
@@ -150,7 +150,9 @@ std::array<double, kJoints> angles(double time) {
   a[kHead] = -6 * std::sin(cycle + 0.9) + 1.2 * std::sin(5 * cycle + 1);
   a[kTail] = 25 + 10 * std::sin(cycle + 2);
   a[kTailEnd] = 10 * std::sin(cycle + 1.2);
-  const double lead[] = {0.0, 0.10, 0.52, 0.62};  // of a cycle: fore left and right, hind alike
+  const double lead[] = {
+      0.0, 0.10, 0.52,
+      0.62};  // part of a cycle, for the legs: fore left and right, hind left and right
   for (int leg = 0; leg < 4; ++leg) {
     const double phase = cycle - 2 * std::numbers::pi * lead[leg];
     const double lifted = std::pow((1 + std::cos(phase)) / 2, 2);
@@ -182,17 +184,16 @@ Gallop::Gallop(double cell) {
 }
 
 Shape Gallop::pose(double time) const {
-  const auto places = joints();
+  const auto all = joints();
   const auto turned = angles(time);
   std::array<Eigen::Isometry3d, kJoints> motion;
   for (int j = 0; j < kJoints; ++j) {  // parents come first
-    const bool root = places[j].parent < 0;
+    const bool root = all[j].parent < 0;
     motion[j] = root ? Eigen::Isometry3d(
                            Eigen::Translation3d(0, 0, 0.05 * std::sin(4 * std::numbers::pi * time)))
-                     : motion[places[j].parent];
-    motion[j] = motion[j] * Eigen::Translation3d(places[j].at) *
-                Eigen::AngleAxisd(turned[j], Vector3d::UnitY()) *
-                Eigen::Translation3d(-places[j].at);
+                     : motion[all[j].parent];
+    motion[j] = motion[j] * Eigen::Translation3d(all[j].at) *
+                Eigen::AngleAxisd(turned[j], Vector3d::UnitY()) * Eigen::Translation3d(-all[j].at);
   }
   Shape shape = rest_;
   for (Eigen::Index i = 0; i < shape.V.cols(); ++i) {

@@ -7,11 +7,12 @@
 namespace deformlab {
 namespace {
 
-constexpr int kBorn = 10, kLife = 107;        // particles a frame, and frames of each
-constexpr double kSpeed = 6, kSlower = 0.15;  // at the age of 0, and by how much it is less at 1
+constexpr int kBorn = 10, kLife = 107;  // particles born in a frame, and frames of a life
+constexpr double kSpeed = 6,
+                 kSlower = 0.15;  // speed at the age 0, and how much less it is at the age 1
 constexpr double kLength = kSpeed * (1 - kSlower);
 
-// What makes one particle of the jet unlike the others.
+// The properties in which the particles of the jet differ.
 struct Nature {
   double radius, angle, phase, speed;
 };
@@ -25,8 +26,8 @@ Nature nature(int id) {
   return n;
 }
 
-// Where a particle is at an age that goes from 0 to 1.
-Eigen::Vector3d place(const Nature& n, double age) {
+// The position of a particle at an age from 0 to 1.
+Eigen::Vector3d position(const Nature& n, double age) {
   const double x = kSpeed * n.speed * age * (1 - kSlower * age);
   const double wide = 0.06 + 0.42 * age;
   const double turn = n.angle + 2 * std::numbers::pi * 2.5 * age / (0.4 + n.radius);
@@ -35,7 +36,7 @@ Eigen::Vector3d place(const Nature& n, double age) {
   return {x, r * std::cos(turn), r * std::sin(turn)};
 }
 
-// Where a place beside the x axis comes to lie when the axis becomes a circle's arc.
+// Where a point beside the x axis goes when the axis is bent to an arc of a circle.
 Eigen::Vector3d bent(const Eigen::Vector3d& p, double bend) {
   const double curvature = bend * std::numbers::pi / 180 / kLength, turn = curvature * p.x();
   if (curvature == 0) return p;
@@ -52,9 +53,10 @@ void Jet::for_each_frame(const Visit& visit) const {
     rows.clear();
     for (int id = frame * kBorn; id < (frame + kLife) * kBorn; ++id) {
       const int born = id / kBorn - kLife + 1;
-      const double share = (id % kBorn) / static_cast<double>(kBorn);  // of a frame, later
+      const double share =
+          (id % kBorn) / static_cast<double>(kBorn);  // of a frame, by which it is born later
       const double age = (frame - born + 1 - share) / kLife;
-      rows.push_back({frame, id, bent(place(nature(id), age), bend_), number, number});
+      rows.push_back({frame, id, bent(position(nature(id), age), bend_), number, number});
       ++number;
     }
     visit(frame, rows);

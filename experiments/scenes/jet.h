@@ -4,10 +4,11 @@
 
 namespace deformlab {
 
-/// A jet of particles that leaves the origin along x, swirls about itself and widens: about 1,070
-/// particles a frame. Ten are born in each, and each lives through 107 frames (fewer at the begin
-/// and end of the animation, which starts with the jet already there). One of the ten goes straight
-/// along the jet's middle, which may be bent: it turns upwards, by `bend` [degree] over its length.
+/// A jet of particles that leaves the origin along x, swirls about itself and widens. Ten particles
+/// are born in each frame, and each lives through 107 frames, so that a frame has about 1,070. The
+/// jet is already there in the first frame, so that lives at the begin and at the end of the
+/// animation are shorter. One of the ten goes along the middle of the jet. The middle turns upwards
+/// by `bend` [degree] over its length.
 class Jet : public ParticleSource {
  public:
   explicit Jet(int frames, double bend = 0) : frames_(frames), bend_(bend) {}

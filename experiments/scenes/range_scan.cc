@@ -12,7 +12,7 @@
 namespace deformlab {
 namespace {
 
-constexpr float kJump = 4;             // rays apart in depth: a silhouette, not a slope
+constexpr float kJump = 4;  // a larger difference in depth [distance of rays] is a silhouette
 constexpr double kLargestHole = 0.06;  // radius, as part of the image
 
 // The i-th of n directions that are spread evenly over the sphere, on a spiral.
@@ -41,7 +41,7 @@ class Image {
     for (float& depth : depth_.reshaped()) depth += noise(random_);
   }
 
-  /// Appends vertices and triangles.
+  /// Appends the vertices and triangles of the image.
   void add_to(std::vector<Eigen::Vector3f>& V, std::vector<std::vector<int>>& faces) {
     Eigen::ArrayXXi vertex = Eigen::ArrayXXi::Constant(n_, n_, -1);
     const auto use = [&](int x, int y) {
@@ -118,7 +118,7 @@ class Image {
   const RangeScanOptions& options_;
   std::mt19937_64& random_;
   Eigen::Quaternionf rotation_;
-  Eigen::ArrayXXf depth_;  // toward the eye, NAN where nothing was met
+  Eigen::ArrayXXf depth_;  // toward the eye; NaN where a ray meets nothing
 };
 
 }  // namespace

@@ -7,14 +7,14 @@
 
 namespace deformlab {
 
-/// A scanner that looks at a shape from all around and gives what scanners give: depth images as
-/// meshes that nobody merged, with noise, holes and outliers.
+/// A scanner that looks at a shape from all around. Like real scans, its depth images are meshes
+/// that are not merged, with noise, holes and outliers.
 struct RangeScanOptions {
   int views = 0;         ///< depth images, from directions spread over the sphere; 0: no scan
   int resolution = 128;  ///< rays along each side of an image
   double noise = 0.1;    ///< standard deviation of the depth [distance between rays]
   int holes = 6;         ///< patches that each image lacks
-  int outliers = 12;     ///< triangles that float in front of the surface, an image
+  int outliers = 12;     ///< triangles in each image that float in front of the surface
   std::uint64_t seed = 1;
 
   template <class Self, class Visit>
@@ -35,7 +35,7 @@ struct RangeScanOptions {
 };
 
 /// All images of the shape, one after the other, as one shape. Throws InputError for options out of
-/// range and for a shape that no ray meets.
+/// range, and for a shape that no ray meets.
 Shape range_scan(const Shape& shape, const RangeScanOptions& options);
 
 }  // namespace deformlab

@@ -57,7 +57,8 @@ Shape shape_of(Mesh& mesh) {
   return shape;
 }
 
-// CGAL's own count edges, of which a collapse takes three, or two at a boundary.
+// The stop conditions of CGAL count edges, but a collapse removes three of them, or two at a
+// boundary.
 struct StopAtVertices {
   std::size_t wanted;
   template <class Cost, class Profile>

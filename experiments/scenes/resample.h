@@ -4,10 +4,10 @@
 
 namespace deformlab {
 
-/// The shape as a triangle mesh of that many vertices: subdivided (Loop's rule) until it has as
-/// many, then simplified by collapsing edges, which meets the number as closely as closed parts
-/// allow. Throws InputError for a shape that is no manifold mesh, or a number that cannot be met
-/// within 1 %.
+/// The shape as a triangle mesh with the given number of vertices. It is subdivided by Loop's rule
+/// until it has enough vertices, and then simplified by collapsing edges. Closed parts may prevent
+/// the exact number. Throws InputError for a shape that is not a manifold mesh, and for a number
+/// that cannot be met within 1 %.
 Shape resampled(const Shape& shape, int vertices);
 
 }  // namespace deformlab

@@ -8,7 +8,7 @@
 
 namespace deformlab {
 
-/// Where a config's shape comes from: a file, or the one generator.
+/// Where the shape of a config comes from: a file, or a generated plane.
 struct ShapeOptions {
   std::string file;        ///< beside the config, below the working folder, or a packaged mesh
   int columns = 201;       ///< of vertices of the generated plane, along x
@@ -17,8 +17,8 @@ struct ShapeOptions {
   double depth = 1;        ///< [length]
   int bumps = 0;           ///< periods of z = bump_height sin sin along each side
   double bump_height = 0;  ///< [length]
-  int vertices = 0;        ///< the mesh is subdivided or simplified to so many; 0: it is not
-  RangeScanOptions scan;   ///< what a scanner makes of it
+  int vertices = 0;        ///< the mesh is subdivided or simplified to this number; 0: it is not
+  RangeScanOptions scan;   ///< replaces the shape by scans of it
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -43,11 +43,12 @@ struct ShapeOptions {
   }
 };
 
-/// A bumpy plane over [0, width] × [0, depth], vertex (i, j) at index j·columns + i, two triangles
-/// a cell: z = h sin(2πb x/width) sin(2πb y/depth). Throws InputError for sizes out of range.
+/// A bumpy plane over [0, width] × [0, depth], z = h sin(2πb x/width) sin(2πb y/depth), with two
+/// triangles in each cell. Vertex (i, j) has the index j·columns + i. Throws InputError for sizes
+/// out of range.
 Shape make_plane(const ShapeOptions& options);
 
-/// The shape of a config; `folder` is the config's own. Throws InputError where it cannot be had.
+/// The shape of a config in `folder`. Throws InputError where it cannot be read or made.
 Shape make_shape(const ShapeOptions& options, const std::filesystem::path& folder);
 
 }  // namespace deformlab

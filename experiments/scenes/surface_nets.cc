@@ -11,7 +11,7 @@ using Cell = Eigen::Vector3i;
 
 constexpr int kMostSweeps = 20;
 
-// Whether a set of a cube's corners, as bits, hangs together along the cube's edges.
+// Whether a set of corners of a cube, as bits, is connected along the edges of the cube.
 bool is_one_piece(unsigned corners) {
   unsigned reached = corners & -corners;
   for (int step = 0; step < 8; ++step) {
@@ -52,9 +52,9 @@ class Net {
       }
     }
     Shape shape;
-    shape.V.resize(3, std::ssize(places_));
+    shape.V.resize(3, std::ssize(vertices_));
     for (Eigen::Index i = 0; i < shape.V.cols(); ++i) {
-      shape.V.col(i) = places_[static_cast<std::size_t>(i)];
+      shape.V.col(i) = vertices_[static_cast<std::size_t>(i)];
     }
     shape.faces = std::move(faces_);
     return shape;
@@ -92,7 +92,8 @@ class Net {
     return true;
   }
 
-  // Around the grid's edge from c along an axis, where the surface passes through it.
+  // Adds the quad around the edge of the grid from c along an axis, if the surface crosses the
+  // edge.
   void add_quad(const Cell& c, int axis) {
     const bool begins_inside = value(c) < 0, ends_inside = value(c + Cell::Unit(axis)) < 0;
     if (begins_inside == ends_inside) return;
@@ -107,8 +108,8 @@ class Net {
   int vertex_in(const Cell& c) {
     int& vertex = vertex_[index(c)];
     if (vertex >= 0) return vertex;
-    vertex = static_cast<int>(places_.size());
-    places_.push_back(mean_of_crossings(c));
+    vertex = static_cast<int>(vertices_.size());
+    vertices_.push_back(mean_of_crossings(c));
     return vertex;
   }
 
@@ -132,7 +133,7 @@ class Net {
   Eigen::Array3i size_;
   std::vector<double> values_;  // at the corners of all cubes
   std::vector<int> vertex_;     // of the cube above each corner, or -1
-  std::vector<Eigen::Vector3d> places_;
+  std::vector<Eigen::Vector3d> vertices_;
   std::vector<std::vector<int>> faces_;
 };
 

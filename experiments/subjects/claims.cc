@@ -16,7 +16,7 @@ std::string number(double value) {
   return text;
 }
 
-// The value itself, which may be a list, or one of a list of values.
+// Whether a value is the expected one, which may be a list itself, or one of a list of values.
 bool is_wanted(const std::string& value, const ConfigNode& wanted) {
   if (value == to_yaml_line(wanted)) return true;
   return wanted.kind == ConfigNode::Kind::kList &&
@@ -72,7 +72,7 @@ double exponent(const Claim& claim, const std::vector<MeasuredRun>& runs) {
   return xy / xx;
 }
 
-// How far beyond what is allowed; the largest is the worst.
+// By how much a value exceeds what is allowed. The largest excess is the worst.
 double excess(const Claim& claim, double x) {
   if (!std::isfinite(x)) return INFINITY;
   double result = -INFINITY;

@@ -61,7 +61,7 @@ struct Claim {
   }
 };
 
-/// One run of a sweep as claims see it: what was set, and what came out.
+/// One run of a sweep as claims see it: its settings and its metrics.
 struct MeasuredRun {
   std::vector<std::pair<std::string, std::string>> settings;  ///< dotted key, value as YAML
   Metrics metrics;
@@ -76,14 +76,14 @@ struct ClaimResult {
   std::string line() const;
 };
 
-/// Whether a run was set as a map of dotted keys says: to their values, or to one of a list of
-/// them.
+/// Whether the settings of a run are those of a map, which has dotted keys and their values, or
+/// lists of values of which one must match.
 bool matches(const MeasuredRun& run, const ConfigNode& filter);
 
-/// Throws InputError where a claim expects nothing, or in a way that cannot hold.
+/// Throws InputError where a claim expects nothing, or something that cannot be.
 void check_form(const Claim& claim);
 
-/// Throws InputError as check_form does, or where the claim names runs or a metric that do not
+/// Throws InputError as check_form does, and where the claim names runs or a metric that do not
 /// exist.
 ClaimResult check(const Claim& claim, const std::vector<MeasuredRun>& runs);
 

@@ -1,37 +1,25 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "experiments/config/config_node.h"
-#include "experiments/measure/depth_options.h"
-#include "experiments/measure/drag.h"
-#include "experiments/measure/probes.h"
-#include "experiments/scenes/scene.h"
-#include "experiments/subjects/animation/animation_options.h"
+#include "experiments/config/override.h"
 #include "experiments/subjects/claims.h"
-#include "experiments/subjects/drawing/drawing_scene.h"
-#include "experiments/subjects/methods.h"
-#include "experiments/subjects/picture_options.h"
+#include "experiments/subjects/run_options.h"
+#include "experiments/subjects/subject.h"
+#include "render/image.h"
 
 namespace deformlab {
 
-/// One config file: one figure, table or ablation, with the numbers that it must show.
+/// One config file: one figure, table or ablation, with the numbers that it must show. It is a list
+/// of runs, which its sweep makes from the options of one, with claims about what they measure.
 struct ExperimentConfig {
   std::string title;
   std::string paper;
-  ShapeOptions shape;
-  DrawingSceneOptions drawing;
-  AnimationOptions animation;
-  MethodOptions method;
-  ConfigNode paint;
-  ConfigNode cut;
-  ConfigNode edit;
-  DragOptions drag;
-  DepthOptions depth;
-  MeasureOptions measure;
-  PictureOptions picture;
+  RunOptions run;
   ConfigNode sweep;
   std::vector<Claim> claims;
 
@@ -39,20 +27,7 @@ struct ExperimentConfig {
   static void fields(Self& o, Visit&& visit) {
     visit("title", o.title, "One line for the gallery");
     visit("paper", o.paper, "What the paper says about it");
-    visit("shape", o.shape, "The shape that is deformed");
-    visit("drawing", o.drawing, "A drawing that is deformed in the plane instead of a shape");
-    visit("animation", o.animation, "An animation that is edited instead of a shape");
-    MethodOptions::fields(o.method, visit);
-    visit("paint", o.paint,
-          "Stiff parts of a drawing: a list of {select, weight} or {mask: FILE.png, weight}");
-    visit("cut", o.cut,
-          "Parts of a shape that follow no common node: a list of {between: SELECTION, and: "
-          "SELECTION}");
-    visit.required("edit", o.edit, "A list of selections and what happens to them");
-    visit("drag", o.drag, "The updates in which the handles go to their targets");
-    visit("depth", o.depth, "Which of two parts of a drawing is in front where they overlap");
-    visit("measure", o.measure, "What is measured beyond what every run measures");
-    visit("picture", o.picture, "How the picture is drawn");
+    RunOptions::fields(o.run, visit);
     visit(
         "sweep", o.sweep,
         "Dotted keys with lists of values, or a word with maps of keys by name; every combination "
@@ -60,5 +35,30 @@ struct ExperimentConfig {
     visit("claims", o.claims, "What the measurements must show");
   }
 };
+
+/// What an experiment resulted in.
+struct Outcome {
+  ExperimentConfig config;
+  ConfigNode resolved;  ///< the config with every default and override
+  std::vector<Run> runs;
+  std::vector<ClaimResult> claims;
+  Image picture;
+  std::vector<Image> frames;  ///< the image sequence of an animation, where one is asked for
+};
+
+/// Called before each run, with its number from 1, how many there are, and what it sets.
+using Progress = std::function<void(std::size_t, std::size_t, const std::string&)>;
+
+/// Runs the config at `path` with the overrides applied: each combination of its sweep, then the
+/// claims, then the picture. Throws InputError for anything in the config that cannot be used.
+Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
+                       const Progress& progress);
+
+/// Throws the InputError that run_experiment would throw for the config itself, before any work.
+void check_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides);
+
+/// `ceres, nodes 425`: what a run sets. The name of a number is the last part of its key. Empty for
+/// a config without a sweep.
+std::string label(const MeasuredRun& run);
 
 }  // namespace deformlab

@@ -55,13 +55,13 @@ struct MethodOptions {
   }
 };
 
-/// The method for a shape; `cuts` are for embedded deformation. Throws InputError where it is one
-/// for drawings, or the method cannot take the shape or cuts.
+/// The method for a shape. `cuts` are for embedded deformation. Throws InputError for a method that
+/// is for drawings, or that cannot take the shape or the cuts.
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest,
                                         std::span<const Cut> cuts = {});
 
-/// The method for a drawing: arap_2d, or embedded deformation in the plane. Throws InputError
-/// for one that is for shapes in space.
+/// The method for a drawing, which is arap_2d or embedded deformation in the plane. Throws
+/// InputError for a method that is for shapes in space.
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const DrawingScene& scene);
 
 }  // namespace deformlab

@@ -51,7 +51,7 @@ struct PictureOptions {
   }
 };
 
-/// Throws InputError for what no picture can show, so that it is found out before the work.
+/// Throws InputError, before the work, for a direction of view that no picture can have.
 void check(const PictureOptions& options);
 
 /// How a panel of such a picture is rendered.

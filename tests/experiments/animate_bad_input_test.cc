@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadAnimation{"NoDirection",
                      {"--picture", "p.png", "picture.direction=[0, 0, 0]"},
                      {"direction", "zero"}},
-        BadAnimation{"AnotherMethod", {"deformer=rbf"}, {"unknown key 'deformer'"}},
+        BadAnimation{"AnotherMethod", {"deformer=rbf"}, {"deformer is rbf", "takes no animation"}},
         BadAnimation{"AParticlesPath", {"path=3"}, {"'path' is the id of a particle"}},
         BadAnimation{"TooManyNodes", {"--nodes", "200"}, {"200", "120"}},
         BadAnimation{"ANodeBesideTheShape",

@@ -3,7 +3,7 @@
 
 #include "experiments/scenes/gallop.h"
 #include "experiments/scenes/jet.h"
-#include "experiments/subjects/animation/coherence.h"
+#include "experiments/subjects/animation/mesh_measurements.h"
 #include "experiments/subjects/particles/stream_measurements.h"
 #include "geometry/graph/graph_simplification.h"
 #include "tests/support/program.h"

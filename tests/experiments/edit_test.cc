@@ -198,6 +198,12 @@ TEST(Edit, FilesOfIndicesAreCheckedByLine) {
 TEST(Edit, ReadsAFileThatHoldsNothingElse) {
   write("ids.txt", "3\n");
   const std::string text = "edit:\n- select: {file: ids.txt}\n  by: [0, 0, 1]\n";
+  const auto read_edit_file = [](const std::filesystem::path& path) {
+    ConfigNode root;
+    root.kind = ConfigNode::Kind::kMap;
+    put_edit(path, root);
+    return read_edit(*root.find("edit"));
+  };
   const std::vector<EditEntry> entries = read_edit_file(write("good_edit.yaml", text));
   EXPECT_THAT(entries.at(0).where, AllOf(HasSubstr("line 2 of"), HasSubstr("good_edit.yaml")));
   EXPECT_THAT(resolve(entries, row_of_five()).handles.moved, ElementsAre(3));

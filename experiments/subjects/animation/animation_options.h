@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "experiments/subjects/animation/animation_pictures.h"
 #include "experiments/subjects/animation/script.h"
@@ -19,6 +20,7 @@ constexpr auto names_of(AnimationGenerator) {
 /// The animation that a config edits instead of a shape.
 struct AnimationOptions {
   AnimationGenerator generator = AnimationGenerator::kNone;
+  std::string file;
   int frames = 24;
   double cycle = 24;    ///< frames of one cycle of a gait
   double bend = 0;      ///< of the jet [degree]
@@ -33,7 +35,11 @@ struct AnimationOptions {
     visit("generator", o.generator,
           "The animation: a quadruped that gallops, or a jet of particles; none: the config is "
           "about a shape or a drawing");
-    visit.range("frames", o.frames, {.min = 1, .max = 10'000}, "The number of frames");
+    visit("file", o.file,
+          "Files instead of a generated animation: the frames of a mesh (horse-%03d.obj), or a "
+          "table of particles (.csv)");
+    visit.range("frames", o.frames, {.min = 1, .max = 10'000},
+                "The number of frames of a generated animation");
     visit.range("cycle", o.cycle, {.min = 0, .exclusive_min = true},
                 "The length of one cycle of the gait [frame]");
     visit.range("cell", o.cell, {.min = 0.01, .max = 0.06},
@@ -52,7 +58,15 @@ struct AnimationOptions {
   }
 };
 
-/// Throws InputError for options out of range, and for what read_script does.
-void check(const AnimationOptions& options, const ConfigNode& edit);
+/// Throws InputError for options that no animation can be run with, for a method other than
+/// embedded deformation, and for what read_script does not take.
+void check_animation(const RunOptions& options, const RunContext& context);
+
+/// What messages call the option that names the files: "--FLAG" of a command, or animation.file.
+std::string name_of_file(const RunContext& context, const std::string& flag);
+
+/// The frames that the pictures of a run show; none of a command without a picture.
+SeenFrames frames_to_see(const AnimationOptions& options, const FrameRange& range,
+                         const RunContext& context);
 
 }  // namespace deformlab

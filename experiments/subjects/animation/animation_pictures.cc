@@ -96,7 +96,7 @@ void AnimationBook::add_to_sequence(const SeenFrames& frames, const std::string&
   }
 }
 
-Image AnimationBook::sheet() const {
+Image AnimationBook::render() const {
   return render_grid(sheet_, render_options(options_),
                      options_.columns > 0 ? options_.columns : columns_);
 }
@@ -117,6 +117,10 @@ std::vector<Image> AnimationBook::sequence(int width) const {
     pictures.push_back(side_by_side({row, row + columns}));
   }
   return pictures;
+}
+
+std::unique_ptr<Book> make_animation_book(const PictureOptions& options) {
+  return std::make_unique<AnimationBook>(options);
 }
 
 }  // namespace deformlab

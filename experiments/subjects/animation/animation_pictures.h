@@ -7,6 +7,7 @@
 
 #include "experiments/subjects/animation/frame_pattern.h"
 #include "experiments/subjects/picture_options.h"
+#include "experiments/subjects/subject.h"
 #include "geometry/graph/deformation_graph.h"
 #include "render/render.h"
 
@@ -14,7 +15,7 @@ namespace deformlab {
 
 inline constexpr int kMostPictured = 64;  ///< frames in a contact sheet
 
-/// An animation as an image sequence, beside its contact sheet.
+/// The image sequence of an animation, which is made in addition to its contact sheet.
 struct SequenceOptions {
   int every = 0;
   int width = 200;
@@ -31,22 +32,22 @@ struct SequenceOptions {
 /// Throws InputError for options out of range, and for more pictures of `frames` than can be kept.
 void check(const SequenceOptions& options, int frames);
 
-/// Throws InputError where a contact sheet cannot show so many frames; `name` is what messages call
-/// the option.
+/// Throws InputError where a contact sheet cannot show so many frames. Messages call the option
+/// `name`.
 void check_pictured(int pictured, int most, const std::string& name);
 
 /// `count` frames of a range, evenly spread from the first on.
 std::vector<int> evenly_spread(const FrameRange& range, int count);
 
-/// What is seen of an animation in one frame: the input, the output, its handles, 3×n [length], and
-/// which vertices are tinted.
+/// What a picture shows of one frame of an animation: the input, the output, its handles, 3×n
+/// [length], and which vertices are tinted.
 struct SeenFrame {
   Shape input, output;
   Eigen::Matrix3Xd handles;
   std::vector<int> tinted = {};
 };
 
-/// Those frames of one run that are pictured, collected while it runs.
+/// The frames of one run that are pictured. They are collected during the run.
 class SeenFrames {
  public:
   SeenFrames(const std::vector<int>& sheet, const SequenceOptions& sequence);
@@ -64,21 +65,23 @@ class SeenFrames {
   std::map<int, SeenFrame> seen_;
 };
 
-/// The pictures of an animation. Its contact sheet has some frames of the input in one row, and
-/// below it the same frames of each run; in a sequence each picture is of one frame, the input at
-/// the left and beside it what each run made of it.
-class AnimationBook {
+/// The pictures of animations. The contact sheet has some frames of the input in one row, and below
+/// it the same frames of each run. In a sequence, each picture shows one frame: the input at the
+/// left, and beside it the output of each run.
+class AnimationBook : public Book {
  public:
   explicit AnimationBook(const PictureOptions& options) : options_(options) {}
 
-  void look_by(const Camera& camera) { camera_ = camera; }  ///< at the runs to come
-  /// Adds a run, and before the first its input, with the graph (at rest in the first frame of the
-  /// sheet), where the options ask for them.
+  void look_by(const Camera& camera) {
+    camera_ = camera;
+  }  ///< for all runs that are added from now on
+  /// Adds a run. Before the first run its input is added, and the graph at rest is shown in the
+  /// first frame of the sheet, if the options ask for them.
   void add(const SeenFrames& frames, const DeformationGraph& graph, const std::string& caption);
-  bool empty() const { return runs_ == 0; }
-  Image sheet() const;
-  /// All of one size and framing, panels of `width` [pixel]; only of frames that every run has.
-  std::vector<Image> sequence(int width) const;
+  bool empty() const override { return runs_ == 0; }
+  Image render() const override;  ///< the contact sheet
+  /// Has only frames that every run has, all in one size and framing.
+  std::vector<Image> sequence(int width) const override;
 
  private:
   Panel input_panel(const SeenFrame& seen, const std::string& caption);
@@ -94,5 +97,7 @@ class AnimationBook {
   std::vector<Panel> sheet_;                    // row by row
   std::map<int, std::vector<Panel>> sequence_;
 };
+
+std::unique_ptr<Book> make_animation_book(const PictureOptions& options);
 
 }  // namespace deformlab

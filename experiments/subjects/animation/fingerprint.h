@@ -7,12 +7,12 @@
 
 namespace deformlab {
 
-/// Tells whether what a run was made from has changed since (64-bit FNV-1a). No seal against
-/// anybody who means to deceive it.
+/// A hash (64-bit FNV-1a) of all that a run depends on, which shows whether any of it has changed.
+/// It is not cryptographic.
 class Fingerprint {
  public:
   void add(std::string_view bytes);
-  /// The bytes of a file, a block at a time. Throws InputError where it cannot be read.
+  /// Adds the bytes of a file. Throws InputError where it cannot be read.
   void add_file(const std::filesystem::path& path);
   std::string text() const;  ///< 16 hexadecimal digits
 

@@ -1,5 +1,7 @@
 #include "experiments/subjects/animation/frame_pattern.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -11,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostDigits = 9;  // so that a frame's number is an int
+constexpr std::size_t kMostDigits = 9;  // so that the number of a frame is an int
 
 bool same_folder(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
@@ -22,10 +24,12 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
-FramePattern::FramePattern(const std::string& text, const std::string& flag)
-    : text_(text), parent_(fs::path(text).parent_path()) {
+FramePattern::FramePattern(const std::string& text, const std::string& pattern_name)
+    : text_(text),
+      description_(pattern_name + " " + quote(text)),
+      parent_(fs::path(text).parent_path()) {
   const std::string name = fs::path(text).filename().string();
-  const std::string expected = flag + " " + quote(text) +
+  const std::string expected = description_ +
                                ": it needs one %d for the frame's number in the file's name, or "
                                "%03d for one of three digits: 'horse-%03d.obj'";
   if (std::ranges::count(text, '%') != 1) throw InputError(expected);
@@ -74,27 +78,26 @@ FrameRange find_frames(const FramePattern& pattern) {
     ++found;
   }
   if (!range) {
-    throw InputError("no file matches --frames " + quote(pattern.text()) + "; the first could be " +
-                     quote(pattern.path(0).string()));
+    throw InputError(fmt::format("no file matches {}; the first could be {}", pattern.description(),
+                                 quote(pattern.path(0).string())));
   }
   for (int frame = range->first; found < range->count(); ++frame) {
     if (fs::exists(pattern.path(frame), error)) continue;
-    throw InputError("frame " + std::to_string(frame) + " is missing: there is no " +
-                     quote(pattern.path(frame).string()) + ", but there are " +
-                     quote(pattern.path(range->first).string()) + " and " +
-                     quote(pattern.path(range->last).string()));
+    throw InputError(fmt::format("frame {} is missing: there is no {}, but there are {} and {}",
+                                 frame, quote(pattern.path(frame).string()),
+                                 quote(pattern.path(range->first).string()),
+                                 quote(pattern.path(range->last).string())));
   }
   return *range;
 }
 
-void check_no_frame(const std::string& path, const std::string& flag, const FramePattern& pattern,
-                    const std::string& pattern_flag) {
+void check_no_frame(const std::string& path, const std::string& flag, const FramePattern& pattern) {
   const fs::path file(path);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (path.empty() || !pattern.frame_of(file.filename().string())) return;
   if (!same_folder(folder, pattern.folder())) return;
-  throw InputError(flag + " " + quote(path) + " is the name of a frame of " + pattern_flag + " " +
-                   quote(pattern.text()) + "; name another file");
+  throw InputError(fmt::format("{} {} is the name of a frame of {}; name another file", flag,
+                               quote(path), pattern.description()));
 }
 
 void check_apart(const FramePattern& in, const FramePattern& out, const FrameRange& range) {
@@ -102,8 +105,8 @@ void check_apart(const FramePattern& in, const FramePattern& out, const FrameRan
   for (int frame = range.first; frame <= range.last; ++frame) {
     const fs::path written = out.path(frame);
     if (!in.frame_of(written.filename().string())) continue;
-    throw InputError("--out " + quote(out.text()) + " would write " + quote(written.string()) +
-                     ", which --frames " + quote(in.text()) + " reads; name other files");
+    throw InputError(fmt::format("{} would write {}, which {} reads; name other files",
+                                 out.description(), quote(written.string()), in.description()));
   }
 }
 

@@ -6,42 +6,46 @@
 
 namespace deformlab {
 
-/// The files of a sequence, one a frame: `horse-%03d.obj` stands for horse-000.obj, horse-001.obj …
+/// The files of a sequence, one for each frame: `horse-%03d.obj` stands for horse-000.obj,
+/// horse-001.obj and so on.
 class FramePattern {
  public:
-  /// Throws InputError where the text has not exactly one %d or %0Nd, or has it in a folder's name;
-  /// `flag` is what messages call it.
-  FramePattern(const std::string& text, const std::string& flag);
+  /// Messages call it `pattern_name`. Throws InputError where the text does not have exactly one %d
+  /// or %0Nd, or has it in the name of a folder.
+  FramePattern(const std::string& text, const std::string& pattern_name);
 
   std::filesystem::path path(int frame) const;
-  /// The frame that a file of this name would be, if it would be one.
+  /// The frame that a file of this name belongs to, if the pattern matches it.
   std::optional<int> frame_of(const std::string& filename) const;
 
   const std::string& text() const { return text_; }
+  /// "--frames 'horse-%03d.obj'"
+  const std::string& description() const { return description_; }
   std::filesystem::path folder() const;
 
  private:
-  std::string text_, prefix_, suffix_;  // of the file's name
+  std::string text_, description_;
+  std::string prefix_, suffix_;  // of the file's name
   std::size_t width_ = 0;
   std::filesystem::path parent_;
 };
 
-/// The frames of a sequence, all that there are between the first and the last.
+/// The numbers of the frames of a sequence, from the first to the last.
 struct FrameRange {
   int first = 0, last = 0;
   int count() const { return last - first + 1; }
 };
 
-/// All frames that the pattern matches. Throws InputError where there is none, or one is missing
-/// between two others (naming it).
+/// All frames that the pattern matches. Throws InputError where there is none, or where one is
+/// missing between two others (naming it).
 FrameRange find_frames(const FramePattern& pattern);
 
-/// Throws InputError where what is written would be, now or in another run, among what is read.
+/// Throws InputError where a file that is written would, now or in another run, be one that is
+/// read.
 void check_apart(const FramePattern& in, const FramePattern& out, const FrameRange& range);
 
-/// Throws InputError where a file that `flag` names would be one of the frames that the pattern, of
-/// `pattern_flag`, stands for, be it there or not. The path may be empty.
-void check_no_frame(const std::string& path, const std::string& flag, const FramePattern& pattern,
-                    const std::string& pattern_flag);
+/// Throws InputError where the file that `flag` names would be a frame of the pattern, whether the
+/// file exists or not. The path may be empty.
+void check_no_frame(const std::string& path, const std::string& flag, const FramePattern& pattern);
 
 }  // namespace deformlab

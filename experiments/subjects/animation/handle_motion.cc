@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "experiments/measure/drag.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -12,12 +13,6 @@ void check_frame(int frame, const FrameRange& range, const std::string& what) {
   if (frame >= range.first && frame <= range.last) return;
   throw InputError(what + " names frame " + std::to_string(frame) + "; the frames are " +
                    std::to_string(range.first) + " to " + std::to_string(range.last));
-}
-
-Eigen::Matrix3Xd at_rest(const Shape& pose, const Handles& handles) {
-  Eigen::Matrix3Xd places(3, handles.targets());
-  places << pose.V(Eigen::all, handles.moved), handles.points;
-  return places;
 }
 
 double ease(double share) { return share * share * (3 - 2 * share); }
@@ -40,7 +35,7 @@ HandleMotion::HandleMotion(const Script& script, const FrameRange& range,
 void HandleMotion::add(const TimedEdit& edit, const Shape& pose) {
   const ResolvedEdit resolved = resolve(edit.entries, pose);
   const Handles& handles = resolved.handles;
-  const Eigen::Matrix3Xd offsets = resolved.targets - at_rest(pose, handles);
+  const Eigen::Matrix3Xd offsets = resolved.targets - targets_at_rest(pose, handles);
   for (const int i : handles.fixed) fix(i, edit);
   const auto moved = std::ssize(handles.moved);
   for (Eigen::Index l = 0; l < moved; ++l) {

@@ -11,21 +11,22 @@
 
 namespace deformlab {
 
-/// The handles of an edited animation, and by how much they go beside the input's own way.
+/// The handles of an edited animation, and their offsets from the input in each frame.
 class HandleMotion {
  public:
-  /// What each edit does to the pose it speaks of becomes translational offsets (Sumner et al.
-  /// 2007, section 5, "Mesh animations"). Between the keyframes that name a handle they are
-  /// interpolated; before the first and after the last they stay. `pose_of` gives the shape in a
-  /// frame. Throws InputError as `resolve` does, for a keyframe or pose that is no frame of the
-  /// range, and for a vertex that one edit moves and another fixes or moves in all frames.
+  /// Each edit is applied to the pose that it refers to, and becomes translational offsets there
+  /// (Sumner et al. 2007, section 5, "Mesh animations"). The offsets are interpolated between the
+  /// keyframes that name a handle, and constant before the first and after the last. `pose_of`
+  /// gives the shape in a frame. Throws InputError as `resolve` does, for a keyframe or pose that
+  /// is not a frame of the range, and for a vertex that one edit moves and another fixes or moves
+  /// in all frames.
   HandleMotion(const Script& script, const FrameRange& range,
                const std::function<Shape(int)>& pose_of);
 
-  /// Vertices that are fixed are so in all frames: they go with the input.
+  /// Vertices that are fixed are fixed in all frames: they are where the input has them.
   const Handles& handles() const { return handles_; }
   Eigen::Matrix3Xd offsets(double frame) const;  ///< 3×#: of handles().moved, then .points [length]
-  std::string description() const;               ///< all of it in text, for a fingerprint
+  std::string description() const;  ///< all handles and offsets as text, for a fingerprint
 
  private:
   struct Key {
@@ -33,7 +34,7 @@ class HandleMotion {
     Eigen::Vector3d offset;
   };
   struct Channel {
-    std::vector<Key> keys;  // by frame; one that always holds has one key
+    std::vector<Key> keys;  // by frame; an edit of all frames has one key
     std::string where;      // the first edit that names it
     bool always;
   };

@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// Tells on standard error how far a long work has come, at most once a second: on a terminal in
-/// one line that is written over.
+/// Shows the progress of long work on standard error, at most once a second. On a terminal it is
+/// one line that is overwritten.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what);  ///< "animate: checking frame"

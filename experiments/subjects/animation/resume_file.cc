@@ -1,10 +1,11 @@
 #include "experiments/subjects/animation/resume_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <vector>
 
-#include "experiments/commands/results.h"
 #include "geometry/core/files.h"
 
 namespace deformlab {
@@ -16,7 +17,8 @@ constexpr const char* kHead =
     "deformlab animate was stopped: the next run goes on after this frame. Delete this file to "
     "start over.";
 
-// What a write that was stopped left: the name of a file, an ending, the number of a process.
+// Whether a write that was stopped left this file: the name of a file, an ending, the id of a
+// process.
 bool is_leftover(const std::string& name, const std::string& of) {
   for (const char* ending : {".tmp", ".partial"}) {
     if (!name.starts_with(of + ending)) continue;
@@ -46,8 +48,9 @@ ResumeFile::ResumeFile(const FramePattern& out, std::string fingerprint)
 }
 
 void ResumeFile::read() {
-  std::ifstream file(path_);
-  if (!file) return;
+  std::error_code ignored;
+  if (!fs::is_regular_file(path_, ignored)) return;
+  std::istringstream file(read_file(path_));
   std::string head, label, fingerprint;
   int last = 0;
   std::getline(file, head);
@@ -66,8 +69,7 @@ bool ResumeFile::has(int frame) const {
 
 void ResumeFile::finished(int frame) {
   last_ = std::max(last_.value_or(frame), frame);
-  write_file(path_, std::string(kHead) + "\nframe " + std::to_string(*last_) + "\nfingerprint " +
-                        fingerprint_ + "\n");
+  write_file(path_, fmt::format("{}\nframe {}\nfingerprint {}\n", kHead, *last_, fingerprint_));
 }
 
 void ResumeFile::remove() {

@@ -10,19 +10,23 @@ namespace deformlab {
 
 inline constexpr const char* kProgressEnding = ".progress";  ///< after the output's pattern
 
-/// How far a run over a sequence has come, in a small file beside its output, so that one that was
-/// stopped goes on from there. It goes away with the last frame.
+/// A small file beside the output of a run over a sequence. It says how far the run has come, so
+/// that a run that was stopped goes on from there. It is removed after the last frame.
 class ResumeFile {
  public:
-  /// Reads what an earlier run left. Where that was made from something else, as the fingerprint
-  /// tells, it counts for nothing. Half-written files that it left behind are removed.
+  /// Reads the file of an earlier run. It is ignored where its fingerprint differs, because that
+  /// run had another input or edit. Half-written files that the earlier run left are removed.
   ResumeFile(const FramePattern& out, std::string fingerprint);
 
-  bool outdated() const { return outdated_; }  ///< there was one, of another input or edit
-  /// Whether the earlier run finished a frame, which is still there.
+  bool outdated() const {
+    return outdated_;
+  }  ///< whether there was a file with another fingerprint
+  /// Whether the earlier run finished a frame, and its file is still there.
   bool has(int frame) const;
-  void finished(int frame);  ///< once its file is whole. Throws InputError where it cannot be told
-  void remove();             ///< all frames are there
+  /// To be called when the file of a frame is complete. Throws InputError where the resume file
+  /// cannot be written.
+  void finished(int frame);
+  void remove();  ///< to be called when all frames are there
 
  private:
   void read();

@@ -8,7 +8,7 @@
 namespace deformlab {
 namespace {
 
-/// The whole of an edit file for animations.
+/// The keys of an edit file for animations.
 struct ScriptFile {
   ConfigNode edit;
   KeyframesOptions keyframes;
@@ -50,9 +50,22 @@ Script read_script(const ConfigNode& edit, const KeyframesOptions& options) {
   return script;
 }
 
-Script read_script_file(const std::filesystem::path& path) {
-  const auto file = read_config<ScriptFile>(load_config(path));
-  return read_script(file.edit, file.keyframes);
+void put_script(const std::filesystem::path& path, ConfigNode& root) {
+  const ConfigNode file = load_config(path);
+  read_config<ScriptFile>(file);
+  ConfigNode edit, animation;
+  edit.key = "edit";
+  animation.key = "animation";
+  animation.kind = ConfigNode::Kind::kMap;
+  for (const ConfigNode& child : file.children) {
+    if (child.key == "edit") {
+      edit = child;
+    } else {
+      animation.children.push_back(child);
+    }
+  }
+  root.children.push_back(edit);
+  root.children.push_back(animation);
 }
 
 }  // namespace deformlab

@@ -45,14 +45,14 @@ struct KeyframesOptions {
   }
 };
 
-/// One list of edits and when it holds.
+/// One list of edits, and the frame in which it holds.
 struct TimedEdit {
   std::optional<int> frame;  ///< none: always
   std::vector<EditEntry> entries;
   std::string where;  ///< "keyframe 2 (line 7 of edit.yaml)", for messages
 };
 
-/// How an animation is edited: in the order of `edit:` first, then the keyframes by their frames.
+/// How an animation is edited. `edit:` comes first, then the keyframes in the order of frames.
 struct Script {
   std::optional<int> pose;
   bool smooth = false;
@@ -60,10 +60,11 @@ struct Script {
 };
 
 /// `edit` may be null where there are keyframes. Throws InputError (naming the line) for anything
-/// that is not the grammar, two keyframes of one frame, and where there is nothing at all.
+/// that is not in the grammar, for two keyframes of one frame, and where nothing is edited.
 Script read_script(const ConfigNode& edit, const KeyframesOptions& options);
 
-/// Reads a YAML file with the keys `edit` and those of KeyframesOptions.
-Script read_script_file(const std::filesystem::path& path);
+/// Puts a YAML file with the keys `edit` and those of KeyframesOptions into the map `root`, as the
+/// keys `edit` and `animation` of a config. Throws InputError for another key.
+void put_script(const std::filesystem::path& path, ConfigNode& root);
 
 }  // namespace deformlab

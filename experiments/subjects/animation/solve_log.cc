@@ -1,5 +1,7 @@
 #include "experiments/subjects/animation/solve_log.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 
 namespace deformlab {
@@ -20,10 +22,10 @@ void keep_least(Metrics& metrics, const Metrics& more) {
 
 namespace {
 
-constexpr std::size_t kMostNotes = 20;  // of a long animation each frame may have another
+constexpr std::size_t kMostNotes = 20;  // because each frame of an animation may have others
 
-// Paid once, though each report tells it again; or so short that what else the machine does in one
-// frame would be most of a mean.
+// Registration is done once, though each report repeats its seconds. A transfer is so short that
+// the other work of the machine would be most of a mean.
 bool counts_by_the_least(const std::string& phase) {
   return phase == "seconds.sample" || phase == "seconds.embed" || phase == "seconds.connect" ||
          phase == "seconds.transfer";
@@ -31,7 +33,8 @@ bool counts_by_the_least(const std::string& phase) {
 
 }  // namespace
 
-void SolveLog::add(const Report& report, double size) {
+void SolveLog::add(int frame, const Report& report, double size) {
+  warn(frame, report);
   const Metrics m = metrics_of(report);
   keep_greatest(worst_, {{"iterations", m.at("iterations")},
                          {"handle_rms", m.at("handle_rms")},
@@ -40,7 +43,7 @@ void SolveLog::add(const Report& report, double size) {
                          {"inside_out", m.at("inside_out")}});
   keep_least(worst_, {{"converged", m.at("converged")}, {"min_det_R", m.at("min_det_R")}});
   iterations_ += m.at("iterations");
-  ++frames_;
+  ++solves_;
   for (const auto& [phase, seconds] : seconds_of(report)) {
     if (counts_by_the_least(phase)) {
       keep_least(least_seconds_, {{phase, seconds}});
@@ -55,17 +58,28 @@ void SolveLog::add(const Report& report, double size) {
   last_ = report;
 }
 
+void SolveLog::warn(int frame, const Report& report) {
+  std::vector<std::string> notes = report.notes;
+  if (report.solve.status == Status::kMaxIterations) notes.push_back(report.solve.message);
+  for (const std::string& note : notes) {
+    if (std::ranges::find(notes_of_last_, note) != notes_of_last_.end()) continue;
+    LOG(WARNING) << "from frame " << frame << ": " << note;
+  }
+  notes_of_last_ = std::move(notes);
+}
+
 Run SolveLog::run() const {
   Run run;
-  if (frames_ == 0) return run;
+  run.many_solves = true;
+  if (solves_ == 0) return run;
   run.solve = last_.solve;
   run.notes = notes_;
   run.measured.metrics = worst_;
   run.measured.metrics.merge(metrics_of(last_));
-  run.measured.metrics["iterations_mean"] = iterations_ / frames_;
-  run.measured.metrics["solves"] = frames_;
+  run.measured.metrics["iterations_mean"] = iterations_ / solves_;
+  run.measured.metrics["solves"] = solves_;
   run.seconds = least_seconds_;
-  for (const auto& [phase, seconds] : seconds_) run.seconds[phase] = seconds / frames_;
+  for (const auto& [phase, seconds] : seconds_) run.seconds[phase] = seconds / solves_;
   run.seconds["seconds.update"] = run.seconds.at("seconds.solve");
   return run;
 }

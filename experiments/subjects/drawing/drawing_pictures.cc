@@ -5,10 +5,12 @@
 namespace deformlab {
 namespace {
 
-constexpr int kPanelWidth = 420;  // [pixel] where picture.width is left at its default for shapes
+constexpr int kPanelWidth =
+    420;  // [pixel], where picture.width has its default, which is for shapes
 
-// Vertices that are held, then places: 2×p.
-Eigen::Matrix2Xd held(const ResolvedEdit& edit, const Eigen::Matrix2Xd& V, bool at_rest) {
+// The positions of pinned vertices, then of handles, 2×p.
+Eigen::Matrix2Xd handle_positions(const ResolvedEdit& edit, const Eigen::Matrix2Xd& V,
+                                  bool at_rest) {
   const auto& [fixed, moved, points] = edit.handles;
   Eigen::Matrix2Xd result(2, std::ssize(fixed) + edit.targets.cols());
   result.leftCols(std::ssize(fixed)) = V(Eigen::all, fixed);
@@ -29,7 +31,7 @@ void DrawingBook::add_rest(const PicturedDrawing& pictured) {
   panel.V = pictured.bound->rest().V;
   panel.edges = options_.graph != PicturedGraph::kNone;
   panel.tint = (pictured.weights.array() != 1).cast<double>();
-  panel.handles = held(pictured.edit, panel.V, true);
+  panel.handles = handle_positions(pictured.edit, panel.V, true);
   panel.caption = "rest shape";
   panels_.push_back({pictured.bound, std::move(panel)});
 }
@@ -40,7 +42,7 @@ void DrawingBook::add_deformed(const PicturedDrawing& pictured, const Eigen::Mat
   panel.V = V;
   panel.depth = depth;
   panel.edges = options_.graph == PicturedGraph::kAll;
-  panel.handles = held(pictured.edit, V, false);
+  panel.handles = handle_positions(pictured.edit, V, false);
   panel.caption = caption;
   panels_.push_back({pictured.bound, std::move(panel)});
 }

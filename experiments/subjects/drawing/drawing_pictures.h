@@ -7,32 +7,33 @@
 #include "drawing/draw_panel.h"
 #include "experiments/subjects/picture_options.h"
 #include "experiments/subjects/shape/edit.h"
+#include "experiments/subjects/subject.h"
 
 namespace deformlab {
 
-/// A drawing that is pictured: itself, how stiff its triangles are, and what holds it.
+/// A drawing that is pictured, the weights of its triangles, and its handles.
 struct PicturedDrawing {
   std::shared_ptr<const BoundDrawing> bound;
   Eigen::VectorXd weights;  ///< #F
   ResolvedEdit edit;
 };
 
-/// Collects the panels of a drawing's picture, as PictureBook does those of a shape's.
-class DrawingBook {
+/// Collects the panels of drawings, as PictureBook does for shapes.
+class DrawingBook : public Book {
  public:
   explicit DrawingBook(const PictureOptions& options) : options_(options) {}
 
-  /// The drawing at rest with its mesh, painted triangles tinted, handles as dots.
+  /// Shows the drawing at rest with its mesh. Painted triangles are tinted, and handles are dots.
   void add_rest(const PicturedDrawing& pictured);
-  /// With its vertices at V (2×#V) and its triangles at depths (#F or 0).
+  /// V is where the vertices are, 2×#V. `depth` has #F entries, or none.
   void add_deformed(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& V,
                     const Eigen::VectorXd& depth, const std::string& caption);
-  /// Step one's mesh, and the triangles fitted to it, 2×3#F corners (Igarashi et al. 2005, Figure
-  /// 3).
+  /// Shows the mesh of step one, 2×#V, and the corners of the triangles that are fitted to it,
+  /// 2×3#F (Igarashi et al. 2005, Figure 3).
   void add_stages(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
                   const Eigen::Matrix2Xd& fitted);
-  bool empty() const { return panels_.empty(); }
-  Image render() const;
+  bool empty() const override { return panels_.empty(); }
+  Image render() const override;
 
  private:
   struct Entry {

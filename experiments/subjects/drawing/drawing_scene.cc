@@ -68,7 +68,7 @@ std::vector<ReadCoat> read_coats(const ConfigNode& list) {
   return coats;
 }
 
-// Per triangle: whether all its corners are selected.
+// For each triangle: whether all its corners are selected.
 std::vector<char> triangles_of(const std::vector<int>& vertices, const Triangulation& mesh) {
   std::vector<char> selected(static_cast<std::size_t>(mesh.V.cols()), 0), result;
   for (const int i : vertices) selected[i] = 1;
@@ -78,7 +78,7 @@ std::vector<char> triangles_of(const std::vector<int>& vertices, const Triangula
   return result;
 }
 
-// Per triangle: whether the mask is dark where its centre lies.
+// For each triangle: whether the mask is dark at its centre.
 std::vector<char> triangles_under(const Bitmap& mask, const Page& page, const Triangulation& mesh) {
   std::vector<char> result;
   for (const auto f : mesh.F.colwise()) {

@@ -9,7 +9,7 @@
 
 namespace deformlab {
 
-/// The drawing that a config deforms in place of a shape.
+/// The drawing that a config deforms instead of a shape.
 struct DrawingSceneOptions {
   std::string file;  ///< beside the config, below the working folder, or packaged clip-art
   DrawingOptions reading;
@@ -25,23 +25,24 @@ struct DrawingSceneOptions {
   }
 };
 
-/// A drawing, its mesh at rest, and how stiff its triangles are.
+/// A drawing, its mesh at rest, and the stiffness of its triangles.
 struct DrawingScene {
   std::filesystem::path path;
   Drawing drawing;
   Triangulation rest;
-  Eigen::VectorXd weights;  ///< one a triangle (Igarashi et al. 2005, section 5.2)
+  Eigen::VectorXd
+      weights;  ///< #F, the stiffness of each triangle (Igarashi et al. 2005, section 5.2)
 };
 
-/// Reads and triangulates a drawing; `folder` is the config's own. Throws InputError where it
-/// cannot be had.
+/// Reads and triangulates the drawing of a config in `folder`. Throws InputError where it cannot be
+/// read or triangulated.
 DrawingScene make_drawing(const DrawingSceneOptions& options, const std::filesystem::path& folder);
 
-/// Paints triangles: each entry of the list is {select: …, weight: w} with the selections of an
-/// edit, of which a triangle counts where all its corners do, or {mask: FILE.png, weight: w}, where
-/// it counts if its centre lies on a pixel of the page that is opaque and darker than half. Of
-/// several entries the last one counts. Throws InputError where an entry paints nothing, or its
-/// weight is not positive.
+/// Paints triangles, which gives them another stiffness. An entry {select: SELECTION, weight: w},
+/// with the selections of an edit, paints the triangles whose corners are all selected. An entry
+/// {mask: FILE.png, weight: w} paints the triangles whose centre lies on a pixel of the mask that
+/// is opaque and darker than half. Where several entries paint a triangle, the last one counts.
+/// Throws InputError where an entry paints nothing, or its weight is not positive.
 void paint(DrawingScene& scene, const ConfigNode& list);
 
 /// Throws the InputError that `paint` would throw for the list itself.

@@ -7,7 +7,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kRing = 0.04;  // of the drawing's diagonal
+constexpr double kRing = 0.04;  // radius, as a part of the drawing's diagonal
 
 ConfigNode scalar(const ConfigNode& like, const std::string& text) {
   ConfigNode node = like;
@@ -20,15 +20,16 @@ ConfigNode scalar(const ConfigNode& like, const std::string& text) {
 
 bool is_number(const ConfigNode& node) { return node.kind == ConfigNode::Kind::kScalar; }
 
-// [x, y] as [x, y, 0].
-void lift_place(ConfigNode& node, const std::string& name) {
+// Turns [x, y] into [x, y, 0].
+void lift_point(ConfigNode& node, const std::string& name) {
   if (node.kind != ConfigNode::Kind::kList || node.children.size() != 2) {
     throw_wrong_value(node, name, "two coordinates [x, y]");
   }
   node.children.push_back(scalar(node, "0"));
 }
 
-// rotate: 30 as {axis: [0, 0, 1], degrees: 30}; {degrees: 30, center: [x, y]} likewise.
+// Turns `rotate: 30` into {axis: [0, 0, 1], degrees: 30}, and {degrees: 30, center: [x, y]}
+// likewise.
 void lift_rotation(ConfigNode& node) {
   if (is_number(node)) {
     ConfigNode degrees = node;
@@ -40,7 +41,7 @@ void lift_rotation(ConfigNode& node) {
   if (node.find("axis")) {
     throw InputError("a drawing turns in its plane: leave 'axis' out (" + node.where() + ")");
   }
-  if (ConfigNode* center = node.find("center")) lift_place(*center, "rotate.center");
+  if (ConfigNode* center = node.find("center")) lift_point(*center, "rotate.center");
   ConfigNode axis = scalar(node, "");
   axis.kind = ConfigNode::Kind::kList;
   axis.key = "axis";
@@ -50,15 +51,15 @@ void lift_rotation(ConfigNode& node) {
 
 void lift_selection(ConfigNode& select) {
   for (const char* name : {"nearest", "point"}) {
-    if (ConfigNode* place = select.find(name)) lift_place(*place, name);
+    if (ConfigNode* place = select.find(name)) lift_point(*place, name);
   }
   if (ConfigNode* box = select.find("box")) {
     for (const char* corner : {"min", "max"}) {
-      if (ConfigNode* place = box->find(corner)) lift_place(*place, std::string("box.") + corner);
+      if (ConfigNode* place = box->find(corner)) lift_point(*place, std::string("box.") + corner);
     }
   }
   if (ConfigNode* circle = select.find("circle")) {
-    if (ConfigNode* center = circle->find("center")) lift_place(*center, "circle.center");
+    if (ConfigNode* center = circle->find("center")) lift_point(*center, "circle.center");
     circle->key = "sphere";
   } else if (const ConfigNode* sphere = select.find("sphere")) {
     throw InputError("a drawing has no sphere; take 'circle' (" + sphere->key_where() + ")");
@@ -72,7 +73,7 @@ ConfigNode in_space(const ConfigNode& edit) {
   for (ConfigNode& entry : lifted.children) {
     if (ConfigNode* select = entry.find("select")) lift_selection(*select);
     for (const char* name : {"by", "to"}) {
-      if (ConfigNode* place = entry.find(name)) lift_place(*place, name);
+      if (ConfigNode* place = entry.find(name)) lift_point(*place, name);
     }
     if (ConfigNode* rotate = entry.find("rotate")) lift_rotation(*rotate);
   }
@@ -80,14 +81,6 @@ ConfigNode in_space(const ConfigNode& edit) {
 }
 
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit) { return read_edit(in_space(edit)); }
-
-std::vector<EditEntry> read_plane_edit_file(const std::filesystem::path& path) {
-  const ConfigNode root = load_config(path);
-  check_keys(root, {"edit"});
-  const ConfigNode* edit = root.find("edit");
-  if (!edit) throw InputError("'edit' is missing in " + path.string());
-  return read_plane_edit(*edit);
-}
 
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Triangulation& rest) {
   const Shape shape = to_shape(rest);

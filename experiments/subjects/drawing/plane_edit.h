@@ -5,19 +5,16 @@
 
 namespace deformlab {
 
-/// The edit of a drawing in the grammar of a shape's: two coordinates become three, `circle` a
-/// sphere, `rotate: 30` a rotation about the axis that turns x towards y, clockwise as an image
-/// shows it. Throws InputError where a place has not two coordinates.
+/// Translates the edit of a drawing into that of a shape. Two coordinates become three, `circle`
+/// becomes a sphere, and `rotate: 30` becomes a rotation about the axis that turns x towards y,
+/// which is clockwise in an image. Throws InputError where a point does not have two coordinates.
 ConfigNode in_space(const ConfigNode& edit);
 
 /// read_edit for a drawing.
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit);
 
-/// read_edit_file for a drawing.
-std::vector<EditEntry> read_plane_edit_file(const std::filesystem::path& path);
-
-/// `resolve` for a drawing's mesh at rest. A place that is rotated becomes a rotation handle with a
-/// ring of 4 % of the drawing's diagonal around it, whatever the mesh.
+/// `resolve` for a drawing's mesh at rest. A point that is rotated becomes a rotation handle with a
+/// ring around it, whose radius is 4 % of the drawing's diagonal.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Triangulation& rest);
 
 }  // namespace deformlab

@@ -11,8 +11,8 @@ namespace {
 
 bool is_before(const ParticleRow& a, const ParticleRow& b) { return a.frame < b.frame; }
 
-// Which life of all that it is shown is the one to sample. Those that ended are compared and
-// forgotten, so that as many are kept as there are particles in a frame.
+// Finds the life to sample. Lives that have ended are compared and forgotten, so that only as many
+// are kept as there are particles in a frame.
 class Longest {
  public:
   explicit Longest(std::optional<std::int64_t> id) : id_(id) {}
@@ -20,11 +20,11 @@ class Longest {
   void add(int frame, ParticleFrame particles) {
     for (const ParticleRow& row : particles) {
       if (id_ && row.id != *id_) continue;
-      const ParticleLife born{row.id, frame, frame, row.place, row.place};
+      const ParticleLife born{row.id, frame, frame, row.position, row.position};
       ParticleLife& now = living_.try_emplace(row.id, born).first->second;
-      now.travelled += (row.place - now.end).norm();
+      now.travelled += (row.position - now.end).norm();
       now.last = frame;
-      now.end = row.place;
+      now.end = row.position;
     }
     std::erase_if(living_, [&](const auto& life) {
       const bool ended = life.second.last < frame;
@@ -39,7 +39,7 @@ class Longest {
   }
 
  private:
-  // The order in which a table gives its entries must not matter.
+  // Compares ids too, because the order in which a hash table gives its entries must not matter.
   static auto merit(const ParticleLife& life) {
     const double way = (life.end - life.begin).norm();
     return std::tuple(life.last - life.first, way > 0 ? way / life.travelled : 0, -life.id);
@@ -55,15 +55,17 @@ class Longest {
 
 }  // namespace
 
-Eigen::Matrix3Xd places_of(ParticleFrame rows) {
-  Eigen::Matrix3Xd places(3, std::ssize(rows));
-  for (Eigen::Index i = 0; i < places.cols(); ++i) {
-    places.col(i) = rows[static_cast<std::size_t>(i)].place;
+Eigen::Matrix3Xd positions_of(ParticleFrame rows) {
+  Eigen::Matrix3Xd positions(3, std::ssize(rows));
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
+    positions.col(i) = rows[static_cast<std::size_t>(i)].position;
   }
-  return places;
+  return positions;
 }
 
-Shape as_points(const Eigen::Matrix3Xd& places) { return {places, Eigen::Matrix3Xd(3, 0), {}}; }
+Shape as_points(const Eigen::Matrix3Xd& positions) {
+  return {positions, Eigen::Matrix3Xd(3, 0), {}};
+}
 
 ParticleCache::ParticleCache(std::filesystem::path path) : path_(std::move(path)) {
   ParticleReader reader(path_);
@@ -148,10 +150,10 @@ Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife
     for (; next < m && (time(next) <= frame || frame == life.last); ++next) {
       const double share =
           frame > before ? std::min((time(next) - before) / (frame - before), 1.0) : 1;
-      samples.col(next) = (1 - share) * from + share * row->place;
+      samples.col(next) = (1 - share) * from + share * row->position;
     }
     before = frame;
-    from = row->place;
+    from = row->position;
   });
   return samples;
 }

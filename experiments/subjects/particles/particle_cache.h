@@ -12,11 +12,11 @@ namespace deformlab {
 /// The particles of one frame in the order of their rows.
 using ParticleFrame = std::span<const ParticleRow>;
 
-/// The places of a frame's particles, 3×#rows [length].
-Eigen::Matrix3Xd places_of(ParticleFrame rows);
+/// The positions of a frame's particles, 3×#rows [length].
+Eigen::Matrix3Xd positions_of(ParticleFrame rows);
 
-/// A shape of points alone, at `places` (3×n) [length].
-Shape as_points(const Eigen::Matrix3Xd& places);
+/// A shape that has only points, at `positions` (3×n) [length].
+Shape as_points(const Eigen::Matrix3Xd& positions);
 
 /// Particles that come and go, frame by frame.
 class ParticleSource {
@@ -30,12 +30,12 @@ class ParticleSource {
   virtual std::string name() const = 0;  ///< what messages call it
 };
 
-/// A particle cache in a file. Where its rows are in the order of frames they are read as
-/// they are needed, and memory does not grow with their number; otherwise all are kept.
+/// A particle cache in a file. If its rows are in the order of frames, they are read when they are
+/// needed, and memory does not grow with their number. Otherwise all are kept in memory.
 class ParticleCache : public ParticleSource {
  public:
-  /// Reads the whole once. Throws InputError as ParticleReader does, without a row, and for an id
-  /// that occurs twice in a frame (naming both lines).
+  /// Reads the whole file once. Throws InputError as ParticleReader does, for a file without rows,
+  /// and for an id that occurs twice in a frame (naming both lines).
   explicit ParticleCache(std::filesystem::path path);
 
   void for_each_frame(const Visit& visit) const override;
@@ -43,6 +43,7 @@ class ParticleCache : public ParticleSource {
   FrameRange frames() const override { return frames_; }
   std::int64_t rows() const { return rows_; }
   bool streams() const { return kept_.empty(); }
+  const std::filesystem::path& path() const { return path_; }
 
  private:
   void stream(const Visit& visit) const;
@@ -52,7 +53,7 @@ class ParticleCache : public ParticleSource {
   std::filesystem::path path_;
   FrameRange frames_;
   std::int64_t rows_ = 0;
-  std::vector<ParticleRow> kept_;  // by frame, where the file is not
+  std::vector<ParticleRow> kept_;  // sorted by frame, where the file is not
 };
 
 /// A stretch of frames through which a particle lives.
@@ -63,13 +64,15 @@ struct ParticleLife {
   double travelled = 0;                          ///< length of the path between [length]
 };
 
-/// Of the particles that live longest the one that goes straightest (from its begin to its end,
-/// over the length of its path), which is in the middle of a stream that swirls; with an `id`, the
-/// longest life of that one. Throws InputError where no such particle occurs, or it never moves.
+/// The life whose path carries the graph. With an `id`, it is the longest life of that particle.
+/// Otherwise, of the particles that live longest, it is the one with the straightest path (the
+/// distance from its begin to its end, over the length of its path), because that one is in the
+/// middle of a stream that swirls. Throws InputError where there is no such particle, or it never
+/// moves.
 ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id);
 
-/// m samples of a particle's path at equal intervals of time, 3×m [length]; between two frames it
-/// goes straight.
+/// m samples of a particle's path at equal intervals of time, 3×m [length]. Between two frames the
+/// path is straight.
 Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife& life, int m);
 
 }  // namespace deformlab

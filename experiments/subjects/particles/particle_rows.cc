@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
-// Views into the line, without the blanks around them.
+// The fields are views into the line, without the blanks around them.
 void split(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   for (std::size_t begin = 0;;) {
@@ -116,13 +116,13 @@ std::optional<ParticleRow> ParticleReader::next() {
              std::to_string(header_size_));
     }
     ParticleRow row{integer<int>(0), integer<std::int64_t>(1), {}, number_++, line_number_};
-    for (int c = 0; c < 3; ++c) row.place[c] = coordinate(2 + c);
+    for (int c = 0; c < 3; ++c) row.position[c] = coordinate(2 + c);
     return row;
   }
   return {};
 }
 
-std::string ParticleReader::moved(const Eigen::Vector3d& place) const {
+std::string ParticleReader::moved(const Eigen::Vector3d& position) const {
   std::string text;
   const char* copied = line_.data();
   std::vector<std::size_t> order{columns_[2], columns_[3], columns_[4]};
@@ -130,7 +130,8 @@ std::string ParticleReader::moved(const Eigen::Vector3d& place) const {
   for (const std::size_t column : order) {
     const std::string_view old = fields_[column];
     text.append(copied, old.data());
-    text += shortest(place[std::ranges::find(columns_ + 2, columns_ + 5, column) - columns_ - 2]);
+    text +=
+        shortest(position[std::ranges::find(columns_ + 2, columns_ + 5, column) - columns_ - 2]);
     copied = old.data() + old.size();
   }
   text.append(copied, line_.data() + line_.size());

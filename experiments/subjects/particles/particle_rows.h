@@ -11,30 +11,30 @@
 
 namespace deformlab {
 
-/// A row of a particle cache: where one particle is in one frame.
+/// A row of a particle cache: the position of one particle in one frame.
 struct ParticleRow {
   int frame = 0;
   std::int64_t id = 0;
-  Eigen::Vector3d place{0, 0, 0};  ///< [length]
-  std::int64_t number = 0;         ///< of the row, from 0
-  std::int64_t line = 0;           ///< of the file, from 1
+  Eigen::Vector3d position{0, 0, 0};  ///< [length]
+  std::int64_t number = 0;            ///< of the row, from 0
+  std::int64_t line = 0;              ///< of the file, from 1
 };
 
-/// Reads a particle cache row by row: a text with a header that names the columns frame, id, x, y
-/// and z, in any order, and others if it likes; blank lines are no rows.
+/// Reads a particle cache row by row. It is a text with a header that names the columns frame, id,
+/// x, y and z in any order, and may name others. Blank lines are skipped.
 class ParticleReader {
  public:
   /// Throws InputError where the file cannot be read or its header lacks a column.
   explicit ParticleReader(const std::filesystem::path& path);
 
-  /// The next row, or nothing at the end. Throws InputError (naming the line) where a row has not
-  /// as many fields as the header, or one of the five is no number that can be computed with.
+  /// The next row, or nothing at the end. Throws InputError (naming the line) where a row does not
+  /// have as many fields as the header, or one of the five is not a finite number.
   std::optional<ParticleRow> next();
 
   /// The text before the last row that `next` gave and after the one before it.
   const std::string& between() const { return between_; }
-  /// That row's text with other coordinates, all the rest as it was.
-  std::string moved(const Eigen::Vector3d& place) const;
+  /// The text of that row with other coordinates. All else stays as it was.
+  std::string moved(const Eigen::Vector3d& position) const;
 
  private:
   bool read_line();

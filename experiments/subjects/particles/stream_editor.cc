@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "experiments/measure/drag.h"
 #include "geometry/core/error.h"
 #include "solvers/stopwatch.h"
 
@@ -27,8 +28,7 @@ StreamEditor::StreamEditor(const ParticleSource& particles, const Script& script
       stream_(sample_path(particles, life_, options.graph.nodes), options),
       motion_(script, particles.frames(), [&](int) { return stream_.path(); }) {
   stream_.compile(motion_.handles());
-  rest_.resize(3, motion_.handles().targets());
-  rest_ << stream_.path().V(Eigen::all, motion_.handles().moved), motion_.handles().points;
+  rest_ = targets_at_rest(stream_.path(), motion_.handles());
 }
 
 void StreamEditor::solve(const Eigen::Matrix3Xd& offsets) {
@@ -46,7 +46,7 @@ Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
   Embedding particles;
   {
     Stopwatch watch(seconds_.weights);
-    particles = stream_.influences(places_of(rows));
+    particles = stream_.influences(positions_of(rows));
   }
   Stopwatch watch(seconds_.transfer);
   return stream_.deformed(particles);

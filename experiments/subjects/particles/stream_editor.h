@@ -8,25 +8,28 @@
 
 namespace deformlab {
 
-/// Edits particles frame by frame. Selections speak of the nodes along the sampled path, and
-/// `point` of any place; the solver is asked again only where the offsets have changed.
+/// Edits particles frame by frame. Selections select nodes along the sampled path, and `point` any
+/// position. The solver runs only in frames where the offsets have changed.
 class StreamEditor {
  public:
-  /// `path` is the id of the particle whose path is sampled; without one it is chosen. Throws
-  /// InputError where the options or the edit do not fit.
+  /// `path` is the id of the particle whose path is sampled; by default find_path chooses one.
+  /// Throws InputError for options and edits that particles do not take.
   StreamEditor(const ParticleSource& particles, const Script& script,
                const EmbeddedDeformationOptions& options, std::optional<std::int64_t> path);
 
-  /// Where the particles of a frame go, 3×#rows [length].
+  /// The edited positions of the particles of a frame, 3×#rows [length].
   Eigen::Matrix3Xd edited(int frame, ParticleFrame rows);
   const Report& report() const { return report_; }  ///< of the last solve
-  /// What the last frame took, beside a solve: its particles' weights, and their transfer by Eq. 2.
+  /// The seconds of the last frame besides a solve: the weights of its particles, and their
+  /// transfer by Eq. 2.
   struct Seconds {
     double weights = 0, transfer = 0;
   };
   const Seconds& seconds() const { return seconds_; }
-  int solves() const { return solves_; }                         ///< how often the solver was asked
-  Eigen::Matrix3Xd handles() const { return rest_ + offsets_; }  ///< where they should be now
+  int solves() const { return solves_; }  ///< how often the solver ran
+  Eigen::Matrix3Xd handles() const {
+    return rest_ + offsets_;
+  }  ///< their targets in the last frame
   double worst_handle() const { return worst_handle_; }
   const ParticleLife& life() const { return life_; }
   int nodes() const { return static_cast<int>(stream_.path().V.cols()); }

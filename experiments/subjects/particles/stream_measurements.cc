@@ -10,12 +10,13 @@
 namespace deformlab {
 namespace {
 
-constexpr double kAlike = 1e-12;  // variance of speeds, over their mean's square, that is rounding
+constexpr double kAlike =
+    1e-12;  // a variance of speeds below this part of their mean's square is rounding
 
 }  // namespace
 
 void StreamMeasurements::compare(const Particle& before, const Particle& now) {
-  const Eigen::Vector3d u = now.place - before.place, w = now.edited - before.edited;
+  const Eigen::Vector3d u = now.position - before.position, w = now.edited - before.edited;
   u_ += u.norm();
   w_ += w.norm();
   uu_ += u.squaredNorm();
@@ -30,10 +31,10 @@ void StreamMeasurements::add(const StreamDeformation& stream, ParticleFrame rows
                              const Eigen::Matrix3Xd& edited) {
   std::unordered_map<std::int64_t, Particle> now;
   double carried = 0;
-  const Eigen::Matrix3Xd turns = stream.rotations(places_of(rows));
+  const Eigen::Matrix3Xd turns = stream.rotations(positions_of(rows));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(i);
-    const Particle particle{rows[i].place, edited.col(column),
+    const Particle particle{rows[i].position, edited.col(column),
                             nearest_rotation(turns.middleCols<3>(3 * column))};
     now[rows[i].id] = particle;
     const auto before = last_.find(rows[i].id);
@@ -70,12 +71,12 @@ Metrics StreamMeasurements::metrics() const {
 Metrics twist_of(const StreamDeformation& stream) {
   const DeformationGraph& graph = stream.deformation().graph();
   const Transformations X = stream.deformation().transformations();
-  const auto place = [&](int j) { return (graph.g.col(j) + X.col(4 * j + 3)).eval(); };
+  const auto position = [&](int j) { return (graph.g.col(j) + X.col(4 * j + 3)).eval(); };
   double sum = 0, most = 0;
   for (const GraphEdge& edge : graph.edges) {
     const Eigen::Quaterniond turn(nearest_rotation(X.middleCols<3>(4 * edge.k)) *
                                   nearest_rotation(X.middleCols<3>(4 * edge.j)).transpose());
-    const Eigen::Vector3d along = (place(edge.k) - place(edge.j)).normalized();
+    const Eigen::Vector3d along = (position(edge.k) - position(edge.j)).normalized();
     const double angle = std::abs(2 * std::atan2(turn.vec().dot(along), turn.w()));
     const double least = std::min(angle, 2 * std::numbers::pi - angle) * 180 / std::numbers::pi;
     sum += least;

@@ -8,12 +8,13 @@
 
 namespace deformlab {
 
-/// Pins the velocities of edited particles against those of the input. With u and ũ the way of a
-/// particle from one frame to the next in both:
-///   frames                    in which there are particles
-///   particles, born, died     mean a frame
+/// Compares the velocities of edited particles with those of the input. With u and ũ the way of a
+/// particle from one frame to the next in the input and in the output:
+///   frames                    number of frames that have particles
+///   particles, born, died     mean number in a frame
 ///   speed_ratio               Σ |ũ| / Σ |u|
-///   speed_correlation         Pearson's, of |ũ| and |u|; nothing where all are as fast
+///   speed_correlation         Pearson's correlation of |ũ| and |u|; missing where all speeds are
+///                             the same
 ///   velocity_error            root mean square of ũ − R u over that of u, R the rotation nearest
 ///                             to what the graph does to space at the particle: 0 where the
 ///                             particle flows in the bent stream as it did in the straight one
@@ -25,7 +26,7 @@ class StreamMeasurements {
 
  private:
   struct Particle {
-    Eigen::Vector3d place, edited;
+    Eigen::Vector3d position, edited;
     Eigen::Matrix3d R;
   };
   void compare(const Particle& before, const Particle& now);
@@ -35,10 +36,11 @@ class StreamMeasurements {
   double u_ = 0, w_ = 0, uu_ = 0, ww_ = 0, uw_ = 0, turned_off_ = 0, off_ = 0;
 };
 
-/// How the chain of nodes turns about itself. Of each edge the angle, about the edge where it is
-/// now, of the rotation that takes the one nearest to R_j to that of its neighbour [degree]:
-///   twist      the sum of its absolute values along the chain
-///   twist_max  the greatest
+/// Measures how the chain of nodes turns about itself. For each edge, let Q_j and Q_k be the
+/// rotations nearest to R_j and R_k. The twist of the edge is the angle of Q_k Q_jᵀ about the
+/// direction that the edge has now [degree].
+///   twist      the sum of absolute values along the chain
+///   twist_max  the greatest absolute value
 Metrics twist_of(const StreamDeformation& stream);
 
 }  // namespace deformlab

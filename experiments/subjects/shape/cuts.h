@@ -8,10 +8,10 @@
 
 namespace deformlab {
 
-/// The list under `cut:`, each entry {between: SELECTION, and: SELECTION} with the selections of an
-/// edit: no node of the graph influences both parts, nor joins them (Sumner et al. 2007, section 6,
-/// the stroke between a hand and a leg). Throws InputError (naming the line) where an entry has not
-/// two selections, or one selects nothing.
+/// Reads the list under `cut:`. Each entry is {between: SELECTION, and: SELECTION} with the
+/// selections of an edit. No node of the graph then influences both parts, and no edge joins them
+/// (Sumner et al. 2007, section 6: the stroke between a hand and a leg). Throws InputError (naming
+/// the line) where an entry does not have two selections, or where one selects nothing.
 std::vector<Cut> resolve_cuts(const ConfigNode& list, const Shape& rest);
 
 /// Throws the InputError that resolve_cuts would throw for the list itself.

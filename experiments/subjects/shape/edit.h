@@ -35,7 +35,7 @@ struct SphereSelection {
   }
 };
 
-/// What an entry of an edit speaks of, by rest positions: exactly one is given.
+/// What an entry of an edit selects, by rest positions. Exactly one member is given.
 struct Selection {
   std::optional<std::vector<int>> vertices;
   std::optional<BoxSelection> box;
@@ -60,7 +60,7 @@ struct Selection {
 struct Turn {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< any length but 0
   double degrees = 0;
-  std::optional<Eigen::Vector3d> center;  ///< the centroid of the selection where not given
+  std::optional<Eigen::Vector3d> center;  ///< by default the centroid of the selection
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit.required("axis", o.axis, "The direction of the axis [x, y, z], of any length");
@@ -76,8 +76,8 @@ struct EditEntry {
   Selection select;
   std::optional<bool> fix;            ///< only ever true
   std::optional<Eigen::Vector3d> by;  ///< translation [length]
-  /// Where the selection goes [length]: one vertex to this point, several as a rigid body whose
-  /// centroid comes to lie there, without rotation.
+  /// Where the selection goes [length]. One vertex goes to this point. Several are translated
+  /// together, so that their centroid is there.
   std::optional<Eigen::Vector3d> to;
   std::optional<Turn> rotate;
   std::string where;  ///< "edit entry 2 (line 5 of edit.yaml)", for messages
@@ -93,16 +93,20 @@ struct EditEntry {
   }
 };
 
+/// "[x, y, z]", for messages.
+std::string text_of(const Eigen::Vector3d& p);
+
 /// Reads the list under `edit:`. Throws InputError (naming the line) at anything that is not the
 /// grammar above: no selector or two, no action or two, a negative radius, min > max, a zero axis,
 /// numbers that are not finite, an unreadable file of indices, no entries at all.
 std::vector<EditEntry> read_edit(const ConfigNode& list);
 
-/// Throws InputError where not exactly one selector is given, or one that selects nothing possible.
+/// Throws InputError where not exactly one selector is given, or where it cannot select anything.
 void check_selection(const Selection& select, const std::string& where);
 
-/// Reads a YAML file whose only key is `edit`. Throws InputError as load_config and read_edit do.
-std::vector<EditEntry> read_edit_file(const std::filesystem::path& path);
+/// Puts the list of a YAML file whose only key is `edit` into the map `root`, under that key.
+/// Throws InputError as load_config does, and for another key.
+void put_edit(const std::filesystem::path& path, ConfigNode& root);
 
 /// What an edit means for one shape. Each vertex occurs once, in the order of the entries and
 /// within an entry by index.
@@ -111,24 +115,24 @@ struct ResolvedEdit {
   Eigen::Matrix3Xd targets;  ///< 3×#: where handles.moved go, then handles.points [length]
 };
 
-/// A single place cannot show that it turns. One that is rotated takes a ring of places around it
-/// along, so that the shape there follows its angle however fine its mesh is (Igarashi et al. 2005,
+/// A single point has no orientation. Where one is rotated, a ring of points around it moves with
+/// it, so that the shape there follows the angle however fine its mesh is (Igarashi et al. 2005,
 /// Figure 16).
 struct Rings {
-  double radius = 0;  ///< [length]; 0: single places do not turn
-  /// Whether a place lies in the shape; of a ring those that do are taken.
+  double radius = 0;  ///< [length]; 0: there are no rings
+  /// Whether a point is in the shape. Only points of a ring that are in the shape are used.
   std::function<bool(const Eigen::Vector3d&)> inside = [](const Eigen::Vector3d&) { return true; };
 };
 
-/// Selects by rest positions. A vertex that several entries move to the same place
+/// Selects by rest positions. A vertex that several entries move to the same position
 /// counts once. Throws InputError (naming the entries) where an index does not exist, a selection
 /// is empty, a vertex is both fixed and moved or moved to two places, a target is not finite, or
 /// there are no entries.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
                      const Rings& rings = {});
 
-/// The vertices of a selection, ascending, each once; `where` is what messages call it. Throws
-/// InputError where there is none or the selection is of a place that need be no vertex.
+/// The vertices of a selection in ascending order, each once. Messages call the selection `where`.
+/// Throws InputError where no vertex is selected, and for `point`, which need not be a vertex.
 std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
                                  const std::string& where);
 

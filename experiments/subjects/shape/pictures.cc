@@ -6,11 +6,13 @@
 namespace deformlab {
 namespace {
 
-constexpr double kNodeShare = 0.03;  // of a mean edge: nodes of a dense graph are drawn smaller
-constexpr std::size_t kMostHandleBalls = 60;  // more are a region, which its tint shows better
+constexpr double kNodeShare =
+    0.03;  // of a mean edge, so that nodes of a dense graph are drawn smaller
+constexpr std::size_t kMostHandleBalls =
+    60;  // more of them are a region, which a tint shows better
 
-// A square at each deformed node, upright along x at rest, as its R_j deforms it: the
-// quadrilaterals of Figure 2.
+// Draws a square at each deformed node, which is upright along x at rest, as its R_j deforms it:
+// the quadrilaterals of Sumner et al. 2007, Figure 2.
 void add_frames(Panel& panel, const DeformationGraph& graph, const Transformations& X,
                 double half) {
   const std::array<Eigen::Vector3d, 4> corners{
@@ -49,7 +51,7 @@ void PictureBook::add(const Shape& shape, const ResolvedEdit& edit, const Eigen:
   panels_.push_back(std::move(panel));
 }
 
-// To the last panel.
+// Adds the graph to the last panel.
 void PictureBook::add_graph(const EmbeddedDeformation& deformer, const Transformations& X) {
   Panel& panel = panels_.back();
   const DeformationGraph& graph = deformer.graph();

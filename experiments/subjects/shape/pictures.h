@@ -7,22 +7,25 @@
 #include "deformers/embedded/adaptive_deformation.h"
 #include "experiments/subjects/picture_options.h"
 #include "experiments/subjects/shape/edit.h"
+#include "experiments/subjects/subject.h"
 #include "render/image.h"
 #include "render/render.h"
 
 namespace deformlab {
 
-/// Collects the panels of an experiment's picture: the rest shape, then what each run made of it,
-/// with fixed vertices tinted and handles, their targets and the graph drawn in.
-class PictureBook {
+/// Collects the panels of shapes: the rest shape, then the deformed shape of each run. Fixed
+/// vertices are tinted; handles, their targets and the graph are drawn.
+class PictureBook : public Book {
  public:
   explicit PictureBook(const PictureOptions& options) : options_(options) {}
 
-  void look_by(const Camera& camera) { camera_ = camera; }  ///< at the panels to come
+  void look_by(const Camera& camera) {
+    camera_ = camera;
+  }  ///< for all panels that are added from now on
   void add_rest(const Deformer& deformer, const Shape& rest, const ResolvedEdit& edit);
   void add_deformed(const Deformer& deformer, const ResolvedEdit& edit, const std::string& caption);
-  bool empty() const { return panels_.empty(); }
-  Image render() const;
+  bool empty() const override { return panels_.empty(); }
+  Image render() const override;
 
  private:
   void add(const Shape& shape, const ResolvedEdit& edit, const Eigen::Matrix3Xd& points,

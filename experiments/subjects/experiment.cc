@@ -1,17 +1,12 @@
-#include "experiments/subjects/run.h"
+#include "experiments/subjects/experiment.h"
 
 #include <algorithm>
 #include <cctype>
 #include <optional>
 
-#include "energies/catalog.h"
 #include "experiments/config/config.h"
 #include "experiments/config/suggest.h"
 #include "experiments/measure/reference.h"
-#include "experiments/subjects/animation/animation_run.h"
-#include "experiments/subjects/drawing/drawing_run.h"
-#include "experiments/subjects/shape/cuts.h"
-#include "experiments/subjects/shape/shape_run.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -24,7 +19,7 @@ ConfigNode with_overrides(ConfigNode root, const std::vector<Override>& override
   return root;
 }
 
-// A sweep would silently win over what was asked for on the command line.
+// Otherwise the sweep would silently win over what the command line asks for.
 void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& sweep) {
   for (const Override& change : overrides) {
     for (const ConfigNode* swept : swept_keys(sweep)) {
@@ -40,11 +35,11 @@ void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& s
 
 ExperimentConfig read(const ConfigNode& root) {
   auto config = read_config<ExperimentConfig>(root);
-  complete_energies(root, config.method.deformation);
+  complete_energies(root, config.run.method.deformation);
   return config;
 }
 
-// Claims may speak of times too.
+// Claims may be about times, too.
 std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
   std::vector<MeasuredRun> result;
   for (const Run& run : runs) {
@@ -54,8 +49,7 @@ std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
   return result;
 }
 
-// Each run is of the rest of the config: the claims, the sweep and the picture, but for where it is
-// seen from, are of all of them.
+// The claims, the sweep and the picture, except for the direction of view, belong to all runs.
 void check_swept_keys(const ConfigNode& sweep) {
   for (const ConfigNode* swept : swept_keys(sweep)) {
     if (swept->key == "picture.direction" || swept->key == "picture.up") continue;
@@ -68,31 +62,11 @@ void check_swept_keys(const ConfigNode& sweep) {
   }
 }
 
-bool is_drawing(const ExperimentConfig& config) { return !config.drawing.file.empty(); }
-
-bool is_animation(const ExperimentConfig& config) {
-  return config.animation.generator != AnimationGenerator::kNone;
-}
-
-void check_edit(const ExperimentConfig& config) {
-  if (is_animation(config)) {
-    check(config.animation, config.edit);
-  } else if (is_drawing(config)) {
-    read_plane_edit(config.edit);
-    check_paint(config.paint);
-    read_probes(config.measure.probes, 2);
-  } else {
-    read_edit(config.edit);
-    check_cuts(config.cut);
-    read_probes(config.measure.probes, 3);
-  }
-}
-
 // A config that was read whole: nothing in it is unknown, of a wrong type or out of its range.
 struct Plan {
   ExperimentConfig config;
   std::vector<SweptRun> combinations;
-  std::vector<ExperimentConfig> runs;
+  std::vector<RunOptions> runs;
   std::vector<ConfigNode> roots;         ///< what each run was read from
   std::optional<std::size_t> reference;  ///< the run that all are compared with
 };
@@ -100,75 +74,71 @@ struct Plan {
 Plan plan(const std::filesystem::path& path, const std::vector<Override>& overrides) {
   const ConfigNode root = with_overrides(load_config(path), overrides);
   Plan result{read(root), {}, {}, {}, {}};
-  check(result.config.picture);
+  check(result.config.run.picture);
   for (const Claim& claim : result.config.claims) check_form(claim);
   check_not_swept(overrides, result.config.sweep);
   check_swept_keys(result.config.sweep);
   result.combinations = expand_sweep(result.config.sweep);
   for (const auto& combination : result.combinations) {
     const ConfigNode& its = result.roots.emplace_back(with_overrides(root, combination.overrides));
-    result.runs.push_back(read(its));
-    const SolverOptions& solver = result.runs.back().method.deformation.solver;
-    with_lines_of(its, [&] { inside_option("solver", [&] { make_solver(solver); }); });
-    check(result.runs.back().measure);
-    check(result.runs.back().picture);
-    check_edit(result.runs.back());
+    const RunOptions& options = result.runs.emplace_back(read(its).run);
+    check_run_options(options, its);
+    with_lines_of(its, [&] { kind_of(options).make(options, {path.parent_path(), {}})->check(); });
   }
-  if (result.config.measure.reference.kind != ConfigNode::Kind::kNull) {
-    result.reference = find_reference(result.config.measure.reference, result.combinations);
+  if (result.config.run.measure.reference.kind != ConfigNode::Kind::kNull) {
+    result.reference = find_reference(result.config.run.measure.reference, result.combinations);
   }
   return result;
 }
 
-// The pictures of all runs, by what they are of.
-class Books {
+// The pictures of all runs. Kinds of subjects that are pictured alike share a book.
+class Library {
  public:
-  explicit Books(const PictureOptions& options)
-      : drawings_(options), shapes_(options), animations_(options) {}
-
-  Run run(const ExperimentConfig& config, const std::filesystem::path& folder,
-          const std::string& caption) {
-    if (is_drawing(config)) {
-      return run_drawing(config, folder, caption, drawings_.empty(), drawings_);
+  explicit Library(const PictureOptions& options) {
+    for (const SubjectKind& kind : subject_kinds()) {
+      if (!find(kind)) books_.emplace_back(kind.make_book, kind.make_book(options));
     }
-    const Camera camera = render_options(config.picture).camera;
-    shapes_.look_by(camera);
-    animations_.look_by(camera);
-    if (is_animation(config)) {
-      return run_animation(config, caption, animations_);
-    }
-    return run_shape(config, folder, caption, shapes_.empty(), shapes_);
   }
 
-  // A sweep over drawings, shapes and animations shows all of them.
+  Book& of(const SubjectKind& kind) const { return *find(kind); }
+
   Image render() const {
     std::vector<Image> images;
-    if (!drawings_.empty()) images.push_back(drawings_.render());
-    if (!shapes_.empty()) images.push_back(shapes_.render());
-    if (!animations_.empty()) images.push_back(animations_.sheet());
+    for (const auto& [make, book] : books_) {
+      if (!book->empty()) images.push_back(book->render());
+    }
     return images.size() == 1 ? images.front() : grid(images, 1);
   }
-  std::vector<Image> sequence(int width) const { return animations_.sequence(width); }
+
+  std::vector<Image> sequence(int width) const {
+    std::vector<Image> images;
+    for (const auto& [make, book] : books_)
+      std::ranges::move(book->sequence(width), std::back_inserter(images));
+    return images;
+  }
 
  private:
-  DrawingBook drawings_;
-  PictureBook shapes_;
-  AnimationBook animations_;
+  Book* find(const SubjectKind& kind) const {
+    const auto its = std::ranges::find(books_, kind.make_book, &Entry::first);
+    return its == books_.end() ? nullptr : its->second.get();
+  }
+
+  using Entry = std::pair<std::unique_ptr<Book> (*)(const PictureOptions&), std::unique_ptr<Book>>;
+  std::vector<Entry> books_;
 };
 
-}  // namespace
-
-void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& options) {
-  std::vector<std::string> names;
-  for (const EnergyInfo& info : known_energies()) {
-    names.push_back(info.name);
-    std::optional<double>& weight = options.energies[info.name].weight;
-    if (!weight) weight = info.default_weight;
-  }
-  for (const char* map : {"energies", "losses"}) {
-    if (const ConfigNode* by_name = root.find(map)) check_keys(*by_name, names, "energy");
-  }
+Run run(const RunOptions& options, const std::filesystem::path& folder, const std::string& caption,
+        const Library& library) {
+  const SubjectKind& kind = kind_of(options);
+  const std::unique_ptr<Subject> subject = kind.make(options, {folder, {}});
+  subject->read();
+  subject->deform();
+  Run result = subject->measure();
+  subject->draw(library.of(kind), caption);
+  return result;
 }
+
+}  // namespace
 
 std::string label(const MeasuredRun& run) {
   std::string text;
@@ -188,18 +158,18 @@ void check_experiment(const std::filesystem::path& path, const std::vector<Overr
 
 Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        const Progress& progress) {
-  const auto [config, combinations, configs, roots, reference] = plan(path, overrides);
+  const auto [config, combinations, options, roots, reference] = plan(path, overrides);
   Outcome outcome;
   outcome.config = config;
   outcome.resolved = to_node(outcome.config);
-  Books books(outcome.config.picture);
-  for (std::size_t i = 0; i < configs.size(); ++i) {
+  const Library library(outcome.config.run.picture);
+  for (std::size_t i = 0; i < options.size(); ++i) {
     MeasuredRun settings;
     settings.settings = combinations[i].settings;
-    progress(i + 1, configs.size(), label(settings));
-    const std::string caption = configs.size() > 1 ? label(settings) : "deformed";
+    progress(i + 1, options.size(), label(settings));
+    const std::string caption = options.size() > 1 ? label(settings) : "deformed";
     outcome.runs.push_back(with_lines_of(
-        roots[i], [&] { return books.run(configs[i], path.parent_path(), caption); }));
+        roots[i], [&] { return run(options[i], path.parent_path(), caption, library); }));
     outcome.runs.back().measured.settings = settings.settings;
   }
   for (Run& run : outcome.runs) {
@@ -207,8 +177,8 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
   }
   const std::vector<MeasuredRun> measured = with_seconds(outcome.runs);
   for (const Claim& claim : outcome.config.claims) outcome.claims.push_back(check(claim, measured));
-  outcome.picture = books.render();
-  outcome.frames = books.sequence(outcome.config.animation.sequence.width);
+  outcome.picture = library.render();
+  outcome.frames = library.sequence(outcome.config.run.animation.sequence.width);
   return outcome;
 }
 

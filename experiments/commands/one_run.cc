@@ -1,0 +1,97 @@
+#include "experiments/commands/one_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "experiments/commands/results.h"
+#include "experiments/config/config.h"
+#include "experiments/config/override.h"
+#include "experiments/config/suggest.h"
+#include "experiments/subjects/outputs.h"
+#include "experiments/subjects/run_options.h"
+#include "geometry/core/error.h"
+#include "geometry/core/files.h"
+
+namespace deformlab {
+namespace {
+
+void check_overrides(const std::vector<Override>& overrides, const SubjectKind& kind) {
+  for (const Override& change : overrides) {
+    const std::string key = change.key.substr(0, change.key.find('.'));
+    if (std::ranges::find(kind.meaningless, key) != kind.meaningless.end()) {
+      throw InputError(fmt::format("override {}: '{}' means nothing for {}; leave it out",
+                                   quote(change.text()), key, kind.name));
+    }
+    if (change.key != kind.file_key) continue;
+    throw InputError(fmt::format("override {}: the command already names the file; leave it out",
+                                 quote(change.text())));
+  }
+}
+
+// The config of the run.
+ConfigNode config_of(const SubjectKind& kind, const CommandLine& line) {
+  std::vector<Override> overrides;
+  for (const std::string& text : line.overrides) overrides.push_back(parse_override(text));
+  check_overrides(overrides, kind);
+  ConfigNode root;
+  root.kind = ConfigNode::Kind::kMap;
+  kind.load_edit(line.edit, root);
+  apply_override(root, {"graph.nodes", std::to_string(line.nodes), "."});
+  kind.set_defaults(line, root);
+  for (const Override& change : overrides) apply_override(root, change);
+  apply_override(root, {kind.file_key, to_yaml_line(to_node(line.input)), "."});
+  return root;
+}
+
+RunOptions read(const SubjectKind& kind, const ConfigNode& root) {
+  RunOptions options = read_run_options(root);
+  check_run_options(options, root);
+  if (options.measure.reference.kind == ConfigNode::Kind::kNull) return options;
+  throw InputError(
+      fmt::format("measure.reference ({}) compares runs of a sweep, but this is one "
+                  "run of {}; leave it out",
+                  options.measure.reference.where(), kind.name));
+}
+
+Image picture_of(Subject& subject, const SubjectKind& kind, const PictureOptions& options,
+                 const std::string& caption) {
+  const std::unique_ptr<Book> book = kind.make_book(options);
+  subject.draw(*book, caption);
+  return book->render();
+}
+
+int run_and_write(const SubjectKind& kind, const CommandLine& line, const RunOptions& options,
+                  const std::string& caption) {
+  const std::unique_ptr<Subject> subject = kind.make(options, {"", line});
+  subject->check();
+  subject->read();
+  subject->deform();
+  if (const std::string failure = subject->failure(); !failure.empty()) {
+    std::fprintf(stderr, "deformlab: %s\n", failure.c_str());
+    return 1;
+  }
+  // Measuring and drawing may fail, so that they come before the first file is written.
+  const bool measures = !line.metrics.empty(), draws = !line.picture.empty();
+  const std::string metrics = measures ? to_json(subject->measure()) : "";
+  const Image picture = draws ? picture_of(*subject, kind, options.picture, caption) : Image();
+  subject->write();
+  if (measures) write_file(line.metrics, metrics);
+  if (draws) write_png(picture, line.picture);
+  std::fputs(subject->summary().c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+int run_once(const SubjectKind& kind, const CommandLine& line, const std::string& caption) {
+  check_picture_name(line.picture);
+  check_outputs({line.input, line.edit},
+                {{line.out, "--out"}, {line.metrics, "--metrics"}, {line.picture, "--picture"}});
+  const ConfigNode root = config_of(kind, line);
+  const RunOptions options = read(kind, root);
+  return with_lines_of(root, [&] { return run_and_write(kind, line, options, caption); });
+}
+
+}  // namespace deformlab

@@ -1,0 +1,55 @@
+#include "experiments/subjects/animation/frame_source.h"
+
+#include <fmt/format.h>
+
+#include "experiments/scenes/gallop.h"
+#include "experiments/subjects/animation/animation_options.h"
+#include "experiments/subjects/animation/progress_line.h"
+#include "geometry/core/error.h"
+#include "geometry/shape/shape_io.h"
+
+namespace deformlab {
+namespace {
+
+class GallopFrames : public FrameSource {
+ public:
+  explicit GallopFrames(const AnimationOptions& options)
+      : gallop_(options.cell), frames_(options.frames), cycle_(options.cycle) {}
+
+  FrameRange range() const override { return {0, frames_ - 1}; }
+  Shape read(int frame) const override { return gallop_.pose(frame / cycle_); }
+
+ private:
+  Gallop gallop_;
+  int frames_;
+  double cycle_;
+};
+
+}  // namespace
+
+FrameFiles::FrameFiles(const std::string& pattern, const std::string& name)
+    : pattern_(pattern, name), range_(find_frames(pattern_)) {}
+
+Shape FrameFiles::read(int frame) const { return read_shape(pattern_.path(frame)); }
+
+void FrameFiles::check(Fingerprint& fingerprint) const {
+  const Eigen::Index vertices = read(range_.first).V.cols();
+  ProgressLine progress("animate: checked frame");
+  for (int frame = range_.first; frame <= range_.last; ++frame) {
+    const Eigen::Index found = read(frame).V.cols();
+    if (found != vertices) {
+      throw InputError(
+          fmt::format("frame {}, '{}', has {} vertices, but frame {} has {}; all frames of an "
+                      "animation must have the same number",
+                      frame, pattern_.path(frame).string(), found, range_.first, vertices));
+    }
+    fingerprint.add_file(pattern_.path(frame));
+    progress.show(frame - range_.first + 1, range_.count());
+  }
+}
+
+std::unique_ptr<FrameSource> generated_frames(const AnimationOptions& options) {
+  return std::make_unique<GallopFrames>(options);
+}
+
+}  // namespace deformlab

@@ -1,0 +1,243 @@
+#include "experiments/subjects/animation/mesh_subject.h"
+
+#include <fmt/format.h>
+#include <glog/logging.h>
+
+#include "deformers/embedded/animated_deformation.h"
+#include "experiments/commands/environment.h"
+#include "experiments/config/config.h"
+#include "experiments/subjects/animation/animation_pictures.h"
+#include "experiments/subjects/animation/frame_source.h"
+#include "experiments/subjects/animation/handle_motion.h"
+#include "experiments/subjects/animation/mesh_measurements.h"
+#include "experiments/subjects/animation/progress_line.h"
+#include "experiments/subjects/animation/resume_file.h"
+#include "experiments/subjects/animation/solve_log.h"
+#include "experiments/subjects/outputs.h"
+#include "experiments/subjects/run_options.h"
+#include "geometry/core/error.h"
+#include "geometry/shape/shape_io.h"
+
+namespace deformlab {
+namespace {
+
+constexpr const char* kFlag = "frames";
+
+// No file of a command may be a frame, or the file in which a command that was stopped finds how
+// far it came.
+void check_files(const CommandLine& c, const FrameFiles& frames, const FramePattern& out) {
+  const int first = frames.range().first;
+  check_outputs({frames.pattern().path(first).string(), c.edit},
+                {{out.path(first).string(), "--out"},
+                 {out.text() + kProgressEnding, "--out"},
+                 {c.metrics, "--metrics"},
+                 {c.picture, "--picture"}});
+  for (const auto& [path, flag] :
+       {std::pair(c.metrics, "--metrics"), {c.picture, "--picture"}, {c.edit, "--edit"}}) {
+    check_no_frame(path, flag, frames.pattern());
+    check_no_frame(path, flag, out);
+  }
+  check_apart(frames.pattern(), out, frames.range());
+}
+
+class MeshSubject : public Subject {
+ public:
+  MeshSubject(const RunOptions& options, const RunContext& context)
+      : options_(options), context_(context) {}
+
+  void check() const override {
+    check_animation(options_, context_);
+    if (context_.writes() && options_.animation.path) {
+      throw InputError("'path' is the id of a particle; meshes have none");
+    }
+  }
+
+  void read() override {
+    const AnimationOptions& o = options_.animation;
+    if (context_.writes()) {
+      out_.emplace(context_.command->out, "--out");
+      check_extension(out_->path(0));
+    }
+    if (o.file.empty()) {
+      frames_ = generated_frames(o);
+    } else {
+      auto files = std::make_unique<FrameFiles>((context_.folder / o.file).string(),
+                                                name_of_file(context_, kFlag));
+      files_ = files.get();
+      frames_ = std::move(files);
+    }
+    if (context_.writes()) check_files(*context_.command, *files_, *out_);
+    const Script script = read_script(options_.edit, o.keyframes);
+    motion_.emplace(script, range(), [&](int frame) { return frames_->read(frame); });
+    pose_ = frames_->read(script.pose.value_or(range().first));
+    size_ = bounding_box_diagonal(pose_.V);
+    deformer_.emplace(pose_, options_.method.deformation);
+    measurements_ = MeshMeasurements(region_of(options_.measure, pose_));
+    seen_.emplace(frames_to_see(o, range(), context_));
+  }
+
+  void deform() override {
+    deformer_->compile(motion_->handles());
+    std::optional<ProgressLine> progress;
+    if (context_.writes()) {
+      begin_writing();
+      progress.emplace("animate: frame");
+    }
+    for (int frame = range().first; frame <= range().last; ++frame) {
+      if (resume_ && resume_->has(frame)) {
+        pass(frame);
+      } else if (!make(frame)) {
+        return;
+      }
+      if (progress) progress->show(frame - range().first + 1, range().count());
+    }
+  }
+
+  const Summary& solve() const override { return solve_; }
+
+  std::string failure() const override {
+    if (!failed_) return "";
+    return fmt::format("frame {}: the solver failed: {}; it was not written", *failed_,
+                       solve_.message);
+  }
+
+  Run measure() const override {
+    Run run = log_.run();
+    Metrics& metrics = run.measured.metrics;
+    metrics["vertices"] = static_cast<double>(pose_.V.cols());
+    metrics["handles"] = static_cast<double>(motion_->handles().targets());
+    metrics.merge(measurements_.metrics());
+    if (!context_.writes()) return run;
+    const int made = log_.solves();
+    metrics["solves"] = made;
+    metrics["frames"] = made + passed_;
+    if (passed_ > 0) {
+      run.notes.push_back(
+          fmt::format("{} of {} frames were made by an earlier run; what is measured is of the "
+                      "other {}",
+                      passed_, made + passed_, made));
+    }
+    return run;
+  }
+
+  void draw(Book& book, const std::string& caption) override {
+    auto& pictures = dynamic_cast<AnimationBook&>(book);
+    const int first = range().first;
+    deformer_->update(frames_->read(first), motion_->offsets(first));  // the graph of this frame
+    pictures.look_by(render_options(options_.picture).camera);
+    pictures.add(*seen_, deformer_->deformation().graph(), caption);
+  }
+
+  void write() override { resume_->remove(); }  // each frame was written when it was made
+
+  std::string summary() const override {
+    std::string text;
+    const int made = log_.solves();
+    if (made > 0) {
+      const Metrics m = log_.run().measured.metrics;
+      text = fmt::format(
+          "at most {:.0f} steps a frame, handles off by {:.3g} at most, min det R {:.3g}\n",
+          m.at("iterations"), m.at("handle_max"), m.at("min_det_R"));
+    }
+    return text + fmt::format("{} frames, {} of them made now; written to {}\n", made + passed_,
+                              made, context_.command->out);
+  }
+
+ private:
+  FrameRange range() const { return frames_->range(); }
+
+  void begin_writing() {
+    resume_.emplace(*out_, fingerprint());
+    if (!resume_->outdated()) return;
+    LOG(WARNING) << "a run was stopped before, but its frames or its edit were others: starting "
+                    "over";
+  }
+
+  // Covers all that the frames depend on. Checks the input frames on the way.
+  std::string fingerprint() const {
+    Fingerprint fingerprint;
+    for (const std::string& text :
+         {context_.command->input, context_.command->out, motion_->description(),
+          to_yaml(to_node(options_.method.deformation)), environment().at("commit")}) {
+      fingerprint.add(text);
+    }
+    files_->check(fingerprint);
+    return fingerprint.text();
+  }
+
+  // A command stops at a frame that cannot be solved. A config measures it, because its claims may
+  // be about it.
+  bool make(int frame) {
+    const Shape input = frames_->read(frame);
+    const Report report = deformer_->update(input, motion_->offsets(frame));
+    solve_ = report.solve;
+    if (context_.writes() && solve_.status == Status::kFailed) {
+      failed_ = frame;
+      return false;
+    }
+    log_.add(frame, report, size_);
+    if (context_.measures()) measurements_.add(input, deformer_->deformed());
+    if (context_.writes()) {
+      write_shape(out_->path(frame), deformer_->deformed(), files_->pattern().path(frame));
+      resume_->finished(frame);
+    }
+    if (seen_->wants(frame)) see(frame, input);
+    return true;
+  }
+
+  // Skips a frame that an earlier run has made.
+  void pass(int frame) {
+    measurements_.interrupt();
+    ++passed_;
+    if (seen_->wants(frame)) see(frame, frames_->read(frame));
+  }
+
+  // A frame that was written is read again, so that the picture is the same after a stop.
+  void see(int frame, const Shape& input) {
+    const Shape output = context_.writes() ? read_shape(out_->path(frame)) : deformer_->deformed();
+    const Eigen::Matrix3Xd handles = output.V(Eigen::all, motion_->handles().moved);
+    seen_->add(frame, {input, output, handles});
+  }
+
+  RunOptions options_;
+  RunContext context_;
+  std::optional<FramePattern> out_;
+  std::unique_ptr<FrameSource> frames_;
+  const FrameFiles* files_ = nullptr;  // the source, if it is files
+  std::optional<HandleMotion> motion_;
+  Shape pose_;
+  double size_ = 0;  // diagonal of its bounding box [length]
+  std::optional<AnimatedDeformation> deformer_;
+  std::optional<ResumeFile> resume_;
+  MeshMeasurements measurements_;
+  std::optional<SeenFrames> seen_;
+  SolveLog log_;
+  Summary solve_;
+  int passed_ = 0;
+  std::optional<int> failed_;
+};
+
+}  // namespace
+
+SubjectKind mesh_animation_kind() {
+  return {
+      .name = "a mesh animation",
+      .flag = kFlag,
+      .file_key = "animation.file",
+      .meaningless = {"shape", "drawing", "paint", "cut", "drag", "depth", "output"},
+      .is_in =
+          [](const RunOptions& options) {
+            const AnimationOptions& o = options.animation;
+            return o.generator == AnimationGenerator::kGallop ||
+                   o.file.find('%') != std::string::npos;
+          },
+      .reads = [](const CommandLine&) { return false; },
+      .load_edit = put_script,
+      .set_defaults = [](const CommandLine&, ConfigNode&) {},
+      .make = [](const RunOptions& options, const RunContext& context) -> std::unique_ptr<Subject> {
+        return std::make_unique<MeshSubject>(options, context);
+      },
+      .make_book = make_animation_book};
+}
+
+}  // namespace deformlab

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "experiments/subjects/subject.h"
+
+namespace deformlab {
+
+/// A drawing in the plane. Its metrics are those of run_of, plane_distortion (with `intermediate.`
+/// before the name also of arap_2d's step one), DrawingDepth, painted_distortion, off_line and
+/// probe_metrics, and the number and quality of the triangles.
+SubjectKind drawing_kind();
+
+}  // namespace deformlab

@@ -1,0 +1,37 @@
+#include "experiments/subjects/run_options.h"
+
+#include <string>
+#include <vector>
+
+#include "energies/catalog.h"
+#include "experiments/config/config.h"
+
+namespace deformlab {
+
+void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& options) {
+  std::vector<std::string> names;
+  for (const EnergyInfo& info : known_energies()) {
+    names.push_back(info.name);
+    std::optional<double>& weight = options.energies[info.name].weight;
+    if (!weight) weight = info.default_weight;
+  }
+  for (const char* map : {"energies", "losses"}) {
+    if (const ConfigNode* by_name = root.find(map)) check_keys(*by_name, names, "energy");
+  }
+}
+
+RunOptions read_run_options(const ConfigNode& root) {
+  auto options = read_config<RunOptions>(root);
+  complete_energies(root, options.method.deformation);
+  return options;
+}
+
+void check_run_options(const RunOptions& options, const ConfigNode& root) {
+  with_lines_of(root, [&] {
+    inside_option("solver", [&] { make_solver(options.method.deformation.solver); });
+  });
+  check(options.measure);
+  check(options.picture);
+}
+
+}  // namespace deformlab
