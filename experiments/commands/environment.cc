@@ -3,6 +3,7 @@
 #include <CGAL/version.h>
 #include <ceres/version.h>
 #include <cholmod.h>
+#include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <fstream>
@@ -22,9 +23,7 @@ std::string processor() {
   return "unknown";
 }
 
-std::string dotted(int a, int b, int c) {
-  return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
-}
+std::string dotted(int a, int b, int c) { return fmt::format("{}.{}.{}", a, b, c); }
 
 }  // namespace
 

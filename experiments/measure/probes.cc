@@ -1,5 +1,7 @@
 #include "experiments/measure/probes.h"
 
+#include <fmt/format.h>
+
 #include "experiments/config/config.h"
 #include "experiments/subjects/shape/edit.h"
 #include "geometry/core/error.h"
@@ -28,22 +30,22 @@ std::vector<int> region_of(const MeasureOptions& options, const Shape& shape) {
 Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d) {
   if (list.kind == ConfigNode::Kind::kNull) return Eigen::Matrix3Xd(3, 0);
   check_list(list, "measure.probes");
-  Eigen::Matrix3Xd places = Eigen::Matrix3Xd::Zero(3, std::ssize(list.children));
-  for (Eigen::Index i = 0; i < places.cols(); ++i) {
-    const ConfigNode& place = list.children[static_cast<std::size_t>(i)];
-    const std::string name = "measure.probes[" + std::to_string(i) + "]";
-    if (place.kind != ConfigNode::Kind::kList || std::ssize(place.children) != d) {
-      throw_wrong_value(place, name, std::to_string(d) + " coordinates");
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, std::ssize(list.children));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const ConfigNode& point = list.children[static_cast<std::size_t>(i)];
+    const std::string name = fmt::format("measure.probes[{}]", i);
+    if (point.kind != ConfigNode::Kind::kList || std::ssize(point.children) != d) {
+      throw_wrong_value(point, name, fmt::format("{} coordinates", d));
     }
-    for (int c = 0; c < d; ++c) read_value(place.children[c], name, places(c, i));
+    for (int c = 0; c < d; ++c) read_value(point.children[c], name, points(c, i));
   }
-  return places;
+  return points;
 }
 
 Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size) {
   Metrics m;
   for (Eigen::Index i = 0; i < way.cols(); ++i) {
-    const std::string name = "probe_" + std::to_string(i + 1) + "_";
+    const std::string name = fmt::format("probe_{}_", i + 1);
     for (int c = 0; c < 3; ++c) m[name + "xyz"[c]] = way(c, i) / size;
   }
   return m;

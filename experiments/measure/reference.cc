@@ -1,5 +1,7 @@
 #include "experiments/measure/reference.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "experiments/config/config.h"
@@ -16,18 +18,19 @@ std::size_t find_reference(const ConfigNode& filter, const std::vector<SweptRun>
     if (matches(run, filter)) found.push_back(i);
   }
   if (found.size() == 1) return found.front();
-  throw InputError("measure.reference (" + filter.where() + ") is " + to_yaml_line(filter) +
-                   ", which " + std::to_string(found.size()) + " of " +
-                   std::to_string(runs.size()) +
-                   " runs have; name keys of the sweep so that one does");
+  throw InputError(
+      fmt::format("measure.reference ({}) is {}, which {} of {} runs have; name keys of "
+                  "the sweep so that one does",
+                  filter.where(), to_yaml_line(filter), found.size(), runs.size()));
 }
 
 Metrics difference(const Run& run, const Run& reference) {
   if (run.V.cols() == 0 || run.V.cols() != reference.V.cols()) {
-    throw InputError("measure.reference: a run of " + std::to_string(run.V.cols()) +
-                     " vertices cannot be compared with one of " +
-                     std::to_string(reference.V.cols()) +
-                     "; the runs of a sweep deform one shape or drawing there");
+    throw InputError(
+        fmt::format("measure.reference: a run of {} vertices cannot be compared with one of {}; "
+                    "the runs of such "
+                    "a sweep must deform one shape or one drawing",
+                    run.V.cols(), reference.V.cols()));
   }
   const Eigen::RowVectorXd distances = (run.V - reference.V).colwise().norm() / reference.size;
   return {{"reference_rms", std::sqrt(distances.squaredNorm() / double(distances.size()))},

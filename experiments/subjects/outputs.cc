@@ -1,5 +1,6 @@
 #include "experiments/subjects/outputs.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -15,16 +16,17 @@ namespace fs = std::filesystem;
 void check_output(const Output& output) {
   const auto& [file, flag] = output;
   if (file.empty()) return;
-  const std::string cannot = "cannot write '" + file + "' (" + flag + "): ";
+  const std::string cannot = fmt::format("cannot write '{}' ({}): ", file, flag);
   const fs::path folder = fs::path(file).parent_path();
   std::error_code error;
   if (!fs::is_directory(folder.empty() ? "." : folder, error)) {
-    throw InputError(cannot + "there is no folder '" + folder.string() + "'; make it first");
+    throw InputError(
+        fmt::format("{}there is no folder '{}'; make it first", cannot, folder.string()));
   }
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
     throw InputError(cannot + "it is a folder or a device; name a file");
   }
-  const fs::path trial = file + ".partial" + std::to_string(getpid());
+  const fs::path trial = fmt::format("{}.partial{}", file, getpid());
   if (!std::ofstream(trial)) throw InputError(cannot + "its folder takes no new file");
   fs::remove(trial, error);
 }
@@ -48,8 +50,10 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<Out
       const bool in_place = written == inputs.size() && other == 0;
       const bool same = same_file(files[written], files[other]);
       if (in_place || files[written].empty() || !same) continue;
-      throw InputError("'" + files[written] + "' is named twice, by two of SHAPE, --edit, --out, " +
-                       "--metrics and --picture; only SHAPE and --out may be one file");
+      throw InputError(
+          fmt::format("'{}' is named twice, by two of the input, --edit, --out, --metrics and "
+                      "--picture; only the input and --out may be one file",
+                      files[written]));
     }
   }
 }

@@ -73,7 +73,7 @@ void AnimationBook::add_to_sheet(const SeenFrames& frames, const DeformationGrap
   std::vector<Panel> inputs, outputs;
   for (const auto& [frame, seen] : frames.all()) {
     if (!frames.is_in_sheet(frame)) continue;
-    const std::string name = "frame " + std::to_string(frame);
+    const std::string name = fmt::format("frame {}", frame);
     if (runs_ == 0 && options_.rest) inputs.push_back(input_panel(seen, name));
     outputs.push_back(output_panel(seen, caption + ", " + name));
   }
@@ -90,7 +90,7 @@ void AnimationBook::add_to_sequence(const SeenFrames& frames, const std::string&
   for (const auto& [frame, seen] : frames.all()) {
     if (!frames.is_in_sequence(frame)) continue;
     std::vector<Panel>& panels = sequence_[frame];
-    const std::string name = "frame " + std::to_string(frame);
+    const std::string name = fmt::format("frame {}", frame);
     if (panels.empty()) panels.push_back(input_panel(seen, name));
     panels.push_back(output_panel(seen, caption));
   }

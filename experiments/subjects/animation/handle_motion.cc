@@ -1,5 +1,7 @@
 #include "experiments/subjects/animation/handle_motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -11,8 +13,16 @@ namespace {
 
 void check_frame(int frame, const FrameRange& range, const std::string& what) {
   if (frame >= range.first && frame <= range.last) return;
-  throw InputError(what + " names frame " + std::to_string(frame) + "; the frames are " +
-                   std::to_string(range.first) + " to " + std::to_string(range.last));
+  throw InputError(fmt::format("{} names frame {}; the frames are {} to {}", what, frame,
+                               range.first, range.last));
+}
+
+[[noreturn]] void throw_fixed_and_moved(int vertex, const std::string& fixing,
+                                        const std::string& moving) {
+  throw InputError(
+      fmt::format("vertex {} is fixed by {} and moved by {}; a vertex that is fixed is "
+                  "fixed in all frames",
+                  vertex, fixing, moving));
 }
 
 double ease(double share) { return share * share * (3 - 2 * share); }
@@ -41,15 +51,14 @@ void HandleMotion::add(const TimedEdit& edit, const Shape& pose) {
   for (Eigen::Index l = 0; l < moved; ++l) {
     const int i = handles.moved[static_cast<std::size_t>(l)];
     const std::string what = "vertex " + std::to_string(i);
-    if (const auto held = fixed_.find(i); held != fixed_.end()) {
-      throw InputError(what + " is fixed by " + held->second + " and moved by " + edit.where +
-                       "; a vertex that is fixed is so in all frames");
+    if (const auto fixed = fixed_.find(i); fixed != fixed_.end()) {
+      throw_fixed_and_moved(i, fixed->second, edit.where);
     }
     add_key(vertices_[i], edit, offsets.col(l), what);
   }
   for (Eigen::Index l = 0; l < handles.points.cols(); ++l) {
     const Eigen::Vector3d p = handles.points.col(l);
-    add_key(places_[{p.x(), p.y(), p.z()}], edit, offsets.col(moved + l), "a place");
+    add_key(points_[{p.x(), p.y(), p.z()}], edit, offsets.col(moved + l), "a point");
   }
 }
 
@@ -57,9 +66,7 @@ void HandleMotion::fix(int vertex, const TimedEdit& edit) {
   fixed_.emplace(vertex, edit.where);
   const auto moved = vertices_.find(vertex);
   if (moved == vertices_.end()) return;
-  throw InputError("vertex " + std::to_string(vertex) + " is fixed by " + edit.where +
-                   " and moved by " + moved->second.where +
-                   "; a vertex that is fixed is so in all frames");
+  throw_fixed_and_moved(vertex, edit.where, moved->second.where);
 }
 
 void HandleMotion::add_key(Channel& channel, const TimedEdit& edit, const Eigen::Vector3d& offset,
@@ -68,8 +75,8 @@ void HandleMotion::add_key(Channel& channel, const TimedEdit& edit, const Eigen:
     channel.where = edit.where;
     channel.always = !edit.frame;
   } else if (channel.always) {
-    throw InputError(what + " is moved by " + channel.where + ", which is of all frames, " +
-                     "and by " + edit.where + "; keep one");
+    throw InputError(fmt::format("{} is moved by {}, which is of all frames, and by {}; keep one",
+                                 what, channel.where, edit.where));
   }
   channel.keys.push_back({edit.frame.value_or(0), offset});
 }
@@ -77,9 +84,9 @@ void HandleMotion::add_key(Channel& channel, const TimedEdit& edit, const Eigen:
 void HandleMotion::collect() {
   for (const auto& [vertex, edit] : fixed_) handles_.fixed.push_back(vertex);
   for (const auto& [vertex, channel] : vertices_) handles_.moved.push_back(vertex);
-  handles_.points.resize(3, std::ssize(places_));
+  handles_.points.resize(3, std::ssize(points_));
   Eigen::Index l = 0;
-  for (const auto& [place, channel] : places_) {
+  for (const auto& [place, channel] : points_) {
     handles_.points.col(l++) << place[0], place[1], place[2];
   }
 }
@@ -98,7 +105,7 @@ Eigen::Matrix3Xd HandleMotion::offsets(double frame) const {
   Eigen::Matrix3Xd result(3, handles_.targets());
   Eigen::Index l = 0;
   for (const auto& [vertex, channel] : vertices_) result.col(l++) = offset(channel, frame);
-  for (const auto& [place, channel] : places_) result.col(l++) = offset(channel, frame);
+  for (const auto& [place, channel] : points_) result.col(l++) = offset(channel, frame);
   return result;
 }
 
@@ -110,7 +117,7 @@ std::string HandleMotion::description() const {
     for (const Key& key : channel.keys) text << ' ' << key.frame << ' ' << key.offset.transpose();
   };
   for (const auto& [vertex, channel] : vertices_) describe((text << " move " << vertex, channel));
-  for (const auto& [place, channel] : places_) {
+  for (const auto& [place, channel] : points_) {
     text << " at " << place[0] << ' ' << place[1] << ' ' << place[2];
     describe(channel);
   }

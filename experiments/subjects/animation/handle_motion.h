@@ -38,7 +38,7 @@ class HandleMotion {
     std::string where;      // the first edit that names it
     bool always;
   };
-  using BarycentricPoint = std::array<double, 3>;
+  using Point = std::array<double, 3>;
 
   void add(const TimedEdit& edit, const Shape& pose);
   void fix(int vertex, const TimedEdit& edit);
@@ -49,7 +49,7 @@ class HandleMotion {
 
   bool smooth_;
   std::map<int, Channel> vertices_;
-  std::map<BarycentricPoint, Channel> places_;
+  std::map<Point, Channel> points_;
   std::map<int, std::string> fixed_;  // and by which edit
   Handles handles_;
 };

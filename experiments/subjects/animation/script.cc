@@ -1,5 +1,7 @@
 #include "experiments/subjects/animation/script.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "experiments/config/config.h"
@@ -21,14 +23,14 @@ struct ScriptFile {
 
 TimedEdit keyframe(const KeyframeOptions& options, std::size_t number) {
   return {options.frame, read_edit(options.edit),
-          "keyframe " + std::to_string(number) + " (" + options.edit.key_where() + ")"};
+          fmt::format("keyframe {} ({})", number, options.edit.key_where())};
 }
 
 void check_distinct(const std::vector<TimedEdit>& edits) {
   for (std::size_t i = 1; i < edits.size(); ++i) {
     if (!edits[i - 1].frame || edits[i - 1].frame != edits[i].frame) continue;
-    throw InputError(edits[i - 1].where + " and " + edits[i].where + " are both of frame " +
-                     std::to_string(*edits[i].frame) + "; make one of them");
+    throw InputError(fmt::format("{} and {} are both of frame {}; make one of them",
+                                 edits[i - 1].where, edits[i].where, *edits[i].frame));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "experiments/subjects/drawing/drawing_scene.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "experiments/config/config.h"
@@ -54,7 +56,7 @@ std::vector<ReadCoat> read_coats(const ConfigNode& list) {
   const ConfigNode lifted = in_space(list);
   for (const ConfigNode& node : lifted.children) {
     ReadCoat& read = coats.emplace_back();
-    read.where = "paint entry " + std::to_string(coats.size()) + " (" + node.where() + ")";
+    read.where = fmt::format("paint entry {} ({})", coats.size(), node.where());
     read.folder = node.folder();
     read_value(node, "paint", read.coat);
     if (read.coat.select.has_value() == read.coat.mask.has_value()) {

@@ -1,5 +1,7 @@
 #include "experiments/subjects/particles/particle_cache.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -91,10 +93,9 @@ void ParticleCache::check_ids(ParticleFrame frame) const {
   for (const ParticleRow& row : frame) {
     const auto [first, is_new] = lines.emplace(row.id, row.line);
     if (is_new) continue;
-    throw InputError("particle " + std::to_string(row.id) + " is twice in frame " +
-                     std::to_string(row.frame) + ", in lines " + std::to_string(first->second) +
-                     " and " + std::to_string(row.line) + " of '" + path_.string() +
-                     "'; give one of them another id");
+    throw InputError(fmt::format(
+        "particle {} is twice in frame {}, in lines {} and {} of '{}'; give one of them another id",
+        row.id, row.frame, first->second, row.line, path_.string()));
   }
 }
 
@@ -125,13 +126,15 @@ ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64
   particles.for_each_frame([&](int frame, ParticleFrame rows) { longest.add(frame, rows); });
   const std::optional<ParticleLife> life = longest.result();
   if (!life) {
-    throw InputError("particle " + std::to_string(*id) + " (path) has no frame in " +
-                     particles.name() + "; name one that occurs there");
+    throw InputError(
+        fmt::format("particle {} (path) has no frame in {}; name one that occurs there", *id,
+                    particles.name()));
   }
   if (life->begin == life->end) {
-    throw InputError("particle " + std::to_string(life->id) +
-                     ", whose path the nodes would be sampled on, does not move in " +
-                     particles.name() + "; name another with path=ID");
+    throw InputError(
+        fmt::format("particle {}, on whose path the nodes would be sampled, does not move "
+                    "in {}; name another with animation.path=ID",
+                    life->id, particles.name()));
   }
   return *life;
 }

@@ -1,5 +1,7 @@
 #include "experiments/subjects/particles/particle_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -48,7 +50,7 @@ ParticleReader::ParticleReader(const std::filesystem::path& path)
 }
 
 void ParticleReader::reject(const std::string& why) const {
-  throw InputError("line " + std::to_string(line_number_) + " of '" + name_ + "': " + why);
+  throw InputError(fmt::format("line {} of '{}': {}", line_number_, name_, why));
 }
 
 bool ParticleReader::read_line() {
@@ -74,8 +76,7 @@ void ParticleReader::read_header() {
     const auto found = std::ranges::find(fields_, kColumns[c]);
     if (found == fields_.end()) {
       line_number_ = std::max<std::int64_t>(line_number_, 1);
-      reject(std::string("the column '") + kColumns[c] +
-             "' is missing; the header is: frame,id,x,y,z");
+      reject(fmt::format("the column '{}' is missing; the header is: frame,id,x,y,z", kColumns[c]));
     }
     columns_[c] = static_cast<std::size_t>(found - fields_.begin());
   }
@@ -112,8 +113,7 @@ std::optional<ParticleRow> ParticleReader::next() {
     }
     split(line_, fields_);
     if (fields_.size() != header_size_) {
-      reject("it has " + std::to_string(fields_.size()) + " fields, but the header has " +
-             std::to_string(header_size_));
+      reject(fmt::format("it has {} fields, but the header has {}", fields_.size(), header_size_));
     }
     ParticleRow row{integer<int>(0), integer<std::int64_t>(1), {}, number_++, line_number_};
     for (int c = 0; c < 3; ++c) row.position[c] = coordinate(2 + c);

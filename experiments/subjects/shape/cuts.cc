@@ -1,5 +1,7 @@
 #include "experiments/subjects/shape/cuts.h"
 
+#include <fmt/format.h>
+
 #include "experiments/config/config.h"
 #include "experiments/subjects/shape/edit.h"
 
@@ -23,7 +25,7 @@ std::vector<CutEntry> read_cuts(const ConfigNode& list) {
   check_list(list, "cut");
   for (const ConfigNode& node : list.children) {
     CutEntry& entry = entries.emplace_back();
-    entry.where = "cut " + std::to_string(entries.size()) + " (" + node.where() + ")";
+    entry.where = fmt::format("cut {} ({})", entries.size(), node.where());
     read_value(node, "cut", entry);
     check_selection(entry.between, entry.where);
     check_selection(entry.and_, entry.where);

@@ -54,8 +54,10 @@ void check_selection(const Selection& select, const std::string& where) {
                     select.sphere.has_value() + select.nearest.has_value() +
                     select.point.has_value() + select.file.has_value() + select.all.has_value();
   if (given != 1) {
-    throw InputError(where + ": 'select' needs exactly one of vertices, box, sphere, nearest, " +
-                     "point, file, all; found " + std::to_string(given));
+    throw InputError(fmt::format(
+        "{}: 'select' needs exactly one of vertices, box, sphere, nearest, point, file, "
+        "all; found {}",
+        where, given));
   }
   if (select.box && (select.box->min.array() > select.box->max.array()).any()) {
     throw InputError(where + ": the box's min " + text_of(select.box->min) +
@@ -97,7 +99,7 @@ std::vector<EditEntry> read_edit(const ConfigNode& list) {
   for (std::size_t e = 0; e < entries.size(); ++e) {
     EditEntry& entry = entries[e];
     const ConfigNode& node = list.children[e];
-    entry.where = "edit entry " + std::to_string(e + 1) + " (" + node.where() + ")";
+    entry.where = fmt::format("edit entry {} ({})", e + 1, node.where());
     check_selection(entry.select, entry.where);
     check_action(entry);
     if (!entry.select.file) continue;
