@@ -10,8 +10,8 @@
 #include <memory>
 #include <numbers>
 
+#include "deformers/arap_2d/closed_form_steps.h"
 #include "deformers/arap_2d/registered_mesh.h"
-#include "deformers/arap_2d/two_step.h"
 #include "experiments/benchmarks/scenarios.h"
 #include "geometry/plane/triangulation.h"
 #include "solvers/stopwatch.h"
@@ -84,7 +84,7 @@ class TwoStepWay {
   RunResult compile() {
     RunResult result;
     result.ms = ms_of([&] { deformation_.compile(handles_); });
-    result.parts = {{"registration", ms_of([&] { TwoStep(drawing_.mesh, weights_); })}};
+    result.parts = {{"registration", ms_of([&] { ClosedFormSteps(drawing_.mesh, weights_); })}};
     return result;
   }
 
@@ -111,7 +111,7 @@ class TwoStepWay {
   Drawing drawing_;
   Eigen::VectorXd weights_;
   std::vector<BarycentricPoint> handles_;
-  TwoStep deformation_;
+  ClosedFormSteps deformation_;
   RegisteredMesh registered_;
   Eigen::VectorXcd z_;
 };

@@ -13,14 +13,15 @@ constexpr int kManyNodes = 2000;  // with more, only those of Ceres' ways are tr
 constexpr double kHardSide = 2;
 
 std::vector<SolverOptions> ceres_ways(int nodes, double side) {
-  const auto way = [](const char* blocks, const char* trust_region) {
+  const auto way = [](CeresBlocks blocks, CeresTrustRegion trust_region) {
     return ceres_options("sparse_normal_cholesky", blocks, trust_region);
   };
-  const SolverOptions first = way("column", "levenberg_marquardt");
+  const SolverOptions first = way(CeresBlocks::kColumn, CeresTrustRegion::kLevenbergMarquardt);
   if (nodes > kManyNodes && side > 0) return {first};  // a solve takes minutes
-  if (nodes > kManyNodes) return {first, way("column", "dogleg")};
-  return {first, way("column", "dogleg"), way("node", "levenberg_marquardt"),
-          way("node", "dogleg")};
+  if (nodes > kManyNodes) return {first, way(CeresBlocks::kColumn, CeresTrustRegion::kDogleg)};
+  return {first, way(CeresBlocks::kColumn, CeresTrustRegion::kDogleg),
+          way(CeresBlocks::kNode, CeresTrustRegion::kLevenbergMarquardt),
+          way(CeresBlocks::kNode, CeresTrustRegion::kDogleg)};
 }
 
 // The fastest of Ceres' ways from rest that ends in our minimum. Each is tried once.

@@ -19,19 +19,23 @@ SolverOptions our_options() {
 std::vector<Scenario> step_scenarios() {
   const std::vector<int> all = {222, 425, 1048};
   const std::vector<int> small = {222, 425};  // larger graphs would take minutes
-  const char *lm = "levenberg_marquardt", *dogleg = "dogleg";
+  const auto lm = CeresTrustRegion::kLevenbergMarquardt, dogleg = CeresTrustRegion::kDogleg;
   const std::pair<SolverOptions, std::vector<int>> configurations[] = {
-      {ceres_options("sparse_normal_cholesky", "column", lm), all},
-      {ceres_options("sparse_normal_cholesky", "column", dogleg), all},
-      {ceres_options("sparse_normal_cholesky", "node", lm), all},
-      {ceres_options("sparse_normal_cholesky", "node", dogleg), all},
-      {ceres_options("cgnr", "node", lm), all},
-      {ceres_options("cgnr", "column", lm), all},
-      {ceres_options("iterative_schur", "node", lm), small},
-      {ceres_options("sparse_schur", "node", lm), all},
-      {ceres_options("sparse_schur", "column", lm), small},
-      {ceres_options("sparse_normal_cholesky", "column", lm, "eigen_sparse"), small},
-      {ceres_options("sparse_normal_cholesky", "column", lm, "cx_sparse"), small},
+      {ceres_options("sparse_normal_cholesky", CeresBlocks::kColumn, lm), all},
+      {ceres_options("sparse_normal_cholesky", CeresBlocks::kColumn, dogleg), all},
+      {ceres_options("sparse_normal_cholesky", CeresBlocks::kNode, lm), all},
+      {ceres_options("sparse_normal_cholesky", CeresBlocks::kNode, dogleg), all},
+      {ceres_options("cgnr", CeresBlocks::kNode, lm), all},
+      {ceres_options("cgnr", CeresBlocks::kColumn, lm), all},
+      {ceres_options("iterative_schur", CeresBlocks::kNode, lm), small},
+      {ceres_options("sparse_schur", CeresBlocks::kNode, lm), all},
+      {ceres_options("sparse_schur", CeresBlocks::kColumn, lm), small},
+      {ceres_options("sparse_normal_cholesky", CeresBlocks::kColumn, lm,
+                     CeresSparseLibrary::kEigenSparse),
+       small},
+      {ceres_options("sparse_normal_cholesky", CeresBlocks::kColumn, lm,
+                     CeresSparseLibrary::kCxSparse),
+       small},
   };
   std::vector<Scenario> result;
   for (const auto& [options, sizes] : configurations) {

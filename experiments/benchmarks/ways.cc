@@ -46,9 +46,10 @@ RunResult update_without_transfer(EmbeddedDeformation& deformation,
 }  // namespace
 
 std::string describe(const SolverOptions& o) {
-  if (o.method == "ceres") {
+  if (o.method == SolverMethod::kCeres) {
     return fmt::format("ceres {}, {}, {}, one block for each {}", o.linear_solver,
-                       o.ceres_sparse_library, o.ceres_trust_region, o.ceres_blocks);
+                       name_of(o.ceres_sparse_library), name_of(o.ceres_trust_region),
+                       name_of(o.ceres_blocks));
   }
   return fmt::format("gauss_newton {}, {}", o.linear_solver, o.globalization);
 }
@@ -59,10 +60,10 @@ SolverOptions cholmod_options() {
   return options;
 }
 
-SolverOptions ceres_options(const std::string& linear_solver, const std::string& blocks,
-                            const std::string& trust_region, const std::string& sparse_library) {
+SolverOptions ceres_options(const std::string& linear_solver, CeresBlocks blocks,
+                            CeresTrustRegion trust_region, CeresSparseLibrary sparse_library) {
   SolverOptions options;
-  options.method = "ceres";
+  options.method = SolverMethod::kCeres;
   options.linear_solver = linear_solver;
   options.ceres_blocks = blocks;
   options.ceres_trust_region = trust_region;

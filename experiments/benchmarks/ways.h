@@ -11,9 +11,9 @@ namespace deformlab {
 std::string describe(const SolverOptions& options);
 
 SolverOptions cholmod_options();
-SolverOptions ceres_options(const std::string& linear_solver, const std::string& blocks,
-                            const std::string& trust_region,
-                            const std::string& sparse_library = "suite_sparse");
+SolverOptions ceres_options(const std::string& linear_solver, CeresBlocks blocks,
+                            CeresTrustRegion trust_region,
+                            CeresSparseLibrary sparse_library = CeresSparseLibrary::kSuiteSparse);
 
 /// What a solve says of itself, with the time that is compared.
 RunResult result_of(double ms, const Summary& solve);
