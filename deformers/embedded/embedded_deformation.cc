@@ -51,13 +51,15 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
                                          const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
-  register_graph(inside_option("graph", [&] { return build_graph(rest_, nodes, options_.graph, cuts); }));
+  register_graph(
+      inside_option("graph", [&] { return build_graph(rest_, nodes, options_.graph, cuts); }));
 }
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
                                          const EmbeddedDeformationOptions& options)
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
-  register_graph(inside_option("graph", [&] { return build_graph(rest_, std::move(graph), options_.graph); }));
+  register_graph(
+      inside_option("graph", [&] { return build_graph(rest_, std::move(graph), options_.graph); }));
 }
 
 void EmbeddedDeformation::register_graph(BuiltGraph built) {
@@ -214,7 +216,8 @@ void EmbeddedDeformation::add_notes(Report& report) const {
     notes.push_back(fmt::format(
         "nodes where space is turned inside out (det R < 0), which E_rot cannot see: {}; move the "
         "handles less, or in smaller steps{}",
-        report.inside_out, options_.reflections == Reflections::kRepair ? "" : ", or set reflections: repair"));
+        report.inside_out,
+        options_.reflections == Reflections::kRepair ? "" : ", or set reflections: repair"));
   }
   report.notes = std::move(notes);
 }

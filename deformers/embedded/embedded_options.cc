@@ -79,10 +79,11 @@ double length_unit(const std::string& text, const DeformationGraph& graph) {
   }
   const double edge = mean_edge_length(graph);
   if (value >= edge / kMostUnits && value <= edge * kMostUnits) return value;
-  throw OptionError("length_unit", fmt::format("'{}'", text),
-                    fmt::format(", but the mean edge of the graph is {:.6g}; choose a length within "
-                                "a factor of {:g} of it",
-                                edge, kMostUnits));
+  throw OptionError(
+      "length_unit", fmt::format("'{}'", text),
+      fmt::format(", but the mean edge of the graph is {:.6g}; choose a length within "
+                  "a factor of {:g} of it",
+                  edge, kMostUnits));
 }
 
 std::vector<WeightedEnergy> make_terms(const EmbeddedDeformationOptions& options,

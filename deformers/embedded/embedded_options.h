@@ -72,9 +72,10 @@ struct EmbeddedDeformationOptions {
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("graph", o.graph, "The deformation graph");
-    visit.range("energies", o.energies, {.min = 0},
-                "The weight of each energy term, or a map of its weight and its options. A term that "
-                "is not named keeps its defaults");
+    visit.range(
+        "energies", o.energies, {.min = 0},
+        "The weight of each energy term, or a map of its weight and its options. A term that "
+        "is not named keeps its defaults");
     visit("losses", o.losses,
           "Robust losses of energy terms, with which residuals that cannot become small pull less");
     visit("length_unit", o.length_unit,
@@ -95,8 +96,8 @@ struct EmbeddedDeformationOptions {
   }
 };
 
-/// Throws OptionError for an option that is not allowed, or that does not go with the others or with
-/// the shape.
+/// Throws OptionError for an option that is not allowed, or that does not go with the others or
+/// with the shape.
 void check(const EmbeddedDeformationOptions& options, const Shape& rest);
 
 /// Throws OptionError where the dimension is 2 and z differs over the shape.

@@ -16,9 +16,9 @@
 
 /// Reading, writing and help of options structs, which describe their fields as
 /// geometry/core/options.h says. A field may be bool, int, std::uint64_t, double, an enumeration
-/// with names, std::string, std::filesystem::path, Eigen::Vector3d, std::map<std::string, double>, the settings of
-/// energy terms by their names, ConfigNode (which is kept as it is), a struct with fields, a std::map of such structs by name,
-/// or a std::vector or std::optional of these.
+/// with names, std::string, std::filesystem::path, Eigen::Vector3d, std::map<std::string, double>,
+/// the settings of energy terms by their names, ConfigNode (which is kept as it is), a struct with
+/// fields, a std::map of such structs by name, or a std::vector or std::optional of these.
 namespace deformlab {
 
 /// One line of help. Fields of nested structs have dotted names, those in lists `list[].name`,

@@ -35,7 +35,9 @@ TEST(Text, NumbersAreWholeWords) {
 }
 
 TEST(Text, QuotesWhatCanBeShown) {
-  EXPECT_EQ(quoted_ascii("a\n\xff!"), "'a?" "?!'");
+  EXPECT_EQ(quoted_ascii("a\n\xff!"),
+            "'a?"
+            "?!'");
   EXPECT_EQ(quoted_ascii(std::string(50, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 

@@ -1,6 +1,6 @@
 // Extracted from CONTRIBUTING.md when the tests are configured.
-#include "energies/term_energy.h"
 #include "energies/graph/volume.h"
+#include "energies/term_energy.h"
 #include "tests/solvers/ladder.h"
 
 namespace deformlab::test {
