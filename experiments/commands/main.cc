@@ -29,7 +29,8 @@ using namespace deformlab;
 
 int dispatch(const std::string& command, const std::vector<std::string>& arguments) {
   if (command == "run") return run_command(arguments, FLAGS_out.empty() ? "results" : FLAGS_out);
-  const CommandLine line{.edit = FLAGS_edit,
+  const CommandLine line{.input = {},
+                         .edit = FLAGS_edit,
                          .out = FLAGS_out,
                          .metrics = FLAGS_metrics,
                          .picture = FLAGS_picture,

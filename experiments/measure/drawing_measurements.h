@@ -8,9 +8,9 @@
 namespace deformlab {
 
 /// Measures the deformation of a drawing's mesh whose vertices are at V (2×#V):
-///   area_ratio      its area over that at rest, where triangles that are turned over count
-///   negative flipped         number of triangles that are turned over arap            Σ ‖e'' − R
-///   e‖² over the edges e of all triangles, R the best rotation of each,
+///   area_ratio      its area over that at rest; triangles that are turned over count negative
+///   flipped         number of triangles that are turned over
+///   arap            Σ ‖e'' − R e‖² over the edges e of all triangles, R the best rotation of each,
 ///                   over Σ ‖e‖². Step two of Igarashi et al. 2005 lowers the same sum, with the
 ///                   rotations of step one
 ///   shear_mean, shear_max, stretch_mean, stretch_max, edge_error_mean   see `distortion`
