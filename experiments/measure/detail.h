@@ -11,8 +11,9 @@ namespace deformlab {
 /// direction of an edge. Means are weighted by the length of the detail at rest.
 ///   detail_rms           root mean square of the deformed surface's detail, in diagonals of the
 ///                        rest shape
-///   detail_turn          mean angle between the detail before and after, each in its frame
-///   [degree] detail_length_error  mean of | |after| / |before| − 1 |
+///   detail_turn          mean angle between the detail before and after, each in its own frame,
+///                        in degrees
+///   detail_length_error  mean of | |after| / |before| − 1 |
 /// The last two are there only if the rest shape has detail. `length` is ℓ, the scale below which
 /// shape counts as detail, in diagonals of the rest shape; it must be positive. The result is empty
 /// for a shape without triangles.
