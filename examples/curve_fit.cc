@@ -40,15 +40,16 @@ int main() {
   }
 
   Problem problem{Unknowns::uniform(guess, 1), {0}, {}};
-  problem.terms.push_back({to_energy(sum), 1, make_loss({.kind = "cauchy", .scale = 0.1}, "loss")});
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  problem.terms.push_back(
+      {to_energy(sum), 1, make_loss({.kind = LossKind::kCauchy, .scale = 0.1})});
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     problem.x.X = guess;
     const auto solver = make_solver({.method = method, .epsilon = 1e-10});
     solver->compile(problem);
     const Summary summary = solver->solve(problem);
     const auto p = problem.x.X.col(0);
     fmt::print("{}: cost {:.12g} after {} steps, from {:.4g}; a = {:.3f}, b = {:.3f}, c = {:.3f}\n",
-               method, summary.final_cost, summary.iterations.size(), summary.initial_cost, p[0],
-               p[1], p[2]);
+               name_of(method), summary.final_cost, summary.iterations.size(), summary.initial_cost,
+               p[0], p[1], p[2]);
   }
 }

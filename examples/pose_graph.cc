@@ -72,13 +72,13 @@ int main() {
   Problem problem{Unknowns::uniform(guess, kPoses), std::vector<char>(kPoses, 0), {}};
   problem.fixed[0] = 1;  // the measurements do not say where the drive began
   problem.terms.push_back({to_energy(sum)});
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     problem.x.X = guess;
     const auto solver = make_solver({.method = method, .epsilon = 1e-10});
     solver->compile(problem);
     const Summary summary = solver->solve(problem);
     fmt::print("{}: cost {:.12g} after {} steps, from {:.4g}; error of the last pose {:.3f}\n",
-               method, summary.final_cost, summary.iterations.size(), summary.initial_cost,
+               name_of(method), summary.final_cost, summary.iterations.size(), summary.initial_cost,
                (problem.x.X - truth).rightCols<1>().head<2>().norm());
   }
 }

@@ -99,7 +99,7 @@ struct EnclosedVolume {
   }
 };
 
-EmbeddedDeformationOptions twenty_nodes(const std::string& method = "gauss_newton") {
+EmbeddedDeformationOptions twenty_nodes(SolverMethod method = SolverMethod::kGaussNewton) {
   EmbeddedDeformationOptions options;
   options.graph.nodes = 20;  // more than the usual nodes of one element
   options.solver = {.method = method, .epsilon = 1e-12, .max_iterations = 300};
@@ -116,10 +116,11 @@ Report deform(EmbeddedDeformation& deformer, const Shape& shape) {
 TEST(OwnTerm, ThatIsRegisteredHasAWeightAndOptionsAndGoesThroughBothSolvers) {
   register_energy<EnclosedVolume>();
   const Shape shape = ball();
-  for (const char* model : {"affine", "rigid"}) {
+  for (const RotationModel model : {RotationModel::kAffine, RotationModel::kRigid}) {
     double costs[2], volumes[2];
     for (int s = 0; s < 2; ++s) {
-      EmbeddedDeformationOptions options = twenty_nodes(s == 0 ? "gauss_newton" : "ceres");
+      EmbeddedDeformationOptions options =
+          twenty_nodes(s == 0 ? SolverMethod::kGaussNewton : SolverMethod::kCeres);
       options.rotation_model = model;
       options.energies["enclosed_volume"] = {1e4, {{"share", 1.2}}};
       EmbeddedDeformation deformer(shape, options);
@@ -129,9 +130,9 @@ TEST(OwnTerm, ThatIsRegisteredHasAWeightAndOptionsAndGoesThroughBothSolvers) {
       costs[s] = report.solve.final_cost;
       volumes[s] = volume(deformer.deformed()) / volume(shape);
     }
-    EXPECT_NEAR(volumes[0], 1.2, 0.02) << model;
-    EXPECT_NEAR(volumes[1], 1.2, 0.02) << model;
-    EXPECT_NEAR(costs[0], costs[1], 1e-6 * costs[0]) << model;
+    EXPECT_NEAR(volumes[0], 1.2, 0.02) << name_of(model);
+    EXPECT_NEAR(volumes[1], 1.2, 0.02) << name_of(model);
+    EXPECT_NEAR(costs[0], costs[1], 1e-6 * costs[0]) << name_of(model);
   }
 }
 

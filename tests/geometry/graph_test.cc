@@ -91,15 +91,6 @@ TEST(Connect, GivesExactlyTheEdgesOfTheDefinition) {
   }
 }
 
-TEST(Connect, RejectsAnUnknownAlpha) {
-  try {
-    connect(places(), by_hand(), "gaussian");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("'gaussian'; known: uniform, overlap, length"));
-  }
-}
-
 TEST(Components, AreNumberedInTheOrderOfTheirFirstNodes) {
   EXPECT_THAT(components(connect(places(), by_hand())), ElementsAre(0, 0, 1, 2, 1));
   EXPECT_THAT(components({places(), {{3, 4, 1}, {0, 4, 1}, {1, 2, 1}}}),

@@ -126,7 +126,7 @@ TEST(KroneckerCgPreconditioner, TakesAFlatPlateThatIsCompiledAgainWhenBent) {
 // A loss makes the constraint one of the other terms, so that A has no entries from handles.
 TEST(KroneckerCgPreconditioner, TakesALossOnTheConstraintOfALargeGraph) {
   Problem problem = twisted_plate(2000);
-  term(problem, "constraint").loss = make_loss({"huber", 1}, "loss");
+  term(problem, "constraint").loss = make_loss({LossKind::kHuber, 1});
   const Summary s = solve(problem, gauss_newton("kronecker_cg", "accelerated"));
   EXPECT_EQ(s.status, Status::kConverged) << s.message;
   EXPECT_GT(s.nonzeros_factor, 200000);
