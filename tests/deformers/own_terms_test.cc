@@ -159,13 +159,13 @@ struct FalseStructure {
 };
 
 TEST(OwnTerm, WithAStructureThatItDoesNotHaveIsRefused) {
-  for (const char* method : {"gauss_newton", "ceres"}) {
+  for (const SolverMethod method : {SolverMethod::kGaussNewton, SolverMethod::kCeres}) {
     EmbeddedDeformationOptions options = twenty_nodes(method);
     options.extra_terms.push_back(
         {[](const GraphContext& c) { return to_energy(over_nodes<FalseStructure>(c)); }, 1});
     try {
       EmbeddedDeformation(ball(), options);
-      ADD_FAILURE() << "accepted by " << method;
+      ADD_FAILURE() << "accepted by " << name_of(method);
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr("'false_structure' declares its structure as Kronecker"));
     }
