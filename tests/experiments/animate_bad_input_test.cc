@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
             "NothingPictured", {"--picture", "p.png", "pictured=0"}, {"pictured is 0", "1 to 64"}},
         BadAnimation{"ATinyPicture",
                      {"--picture", "p.png", "picture.width=0"},
-                     {"picture.width", "0 × 600"}},
+                     {"picture.width", "picture.width is 0"}},
         BadAnimation{"NoDirection",
                      {"--picture", "p.png", "picture.direction=[0, 0, 0]"},
                      {"direction", "zero"}},
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
                        "fix: true}]}\n",
                    {"vertex 108 is fixed by keyframe 1", "moved by edit"}),
         bad_script("APlace", "edit:\n  - {select: {point: [0, 0, 0]}, by: [0, 0, 1]}\n",
-                   {"place", "does not follow"}),
+                   {"not a vertex", "does not follow"}),
         bad_script("NoSuchVertex", "edit:\n  - {select: {vertices: [120]}, by: [0, 0, 1]}\n",
                    {"vertex 120 does not exist"})),
     [](const auto& test) { return test.param.name; });

@@ -128,7 +128,7 @@ TEST_F(AnimationRun, RefusesWhatCannotBe) {
       {"animation.pictured=5", {"animation.pictured is 5", "1 to 4"}},
       {"animation.sequence.every=-1", {"sequence.every is -1", "at least 0"}},
       {"animation={generator: gallop, frames: 9999, sequence: {every: 1}}",
-       {"sequence.every is 1", "42 and more for 9999 frames"}},
+       {"sequence.every is 1", "at least 42 for 9999 frames"}},
       {"animation.sequence.width=4", {"sequence.width is 4", "16 to 1024"}},
       {"animation.sequence=2", {"animation.sequence", "map"}},
       {"animation.bend=-1", {"animation.bend is -1", "0 to 180"}},
@@ -141,7 +141,7 @@ TEST_F(AnimationRun, RefusesWhatCannotBe) {
       {"animation.pose=9", {"'pose'", "0 to 3"}},
       {"animation.keyframes=[{frame: 9, edit: [{select: {all: true}, fix: true}]}]",
        {"names frame 9"}},
-      {"deformer=rbf", {"'rbf'", "takes no animation"}},
+      {"deformer=rbf", {"deformer is rbf", "takes no animation"}},
       {"edit=[{select: {point: [0, 0, 0]}, by: [0, 0, 1]}]", {"does not follow"}}};
   for (const auto& [change, words] : bad) {
     SCOPED_TRACE(change);
