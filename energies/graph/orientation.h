@@ -22,7 +22,7 @@ struct Orientation {
 
     template <class Self, class Visit>
     static void fields(Self& o, Visit&& visit) {
-      visit("least", o.least, "det R_j below which the term counts; it is 1 at rest");
+      visit("least", o.least, "The value of det R_j below which the term counts; it is 1 at rest");
     }
   };
 
