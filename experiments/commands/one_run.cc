@@ -19,14 +19,16 @@ namespace {
 
 void check_overrides(const std::vector<Override>& overrides, const SubjectKind& kind) {
   for (const Override& change : overrides) {
-    const std::string key = change.key.substr(0, change.key.find('.'));
-    if (std::ranges::find(kind.meaningless, key) != kind.meaningless.end()) {
-      throw InputError(fmt::format("override {}: '{}' means nothing for {}; leave it out",
-                                   quote(change.text()), key, kind.name));
+    if (change.key == kind.file_key) {
+      throw InputError(fmt::format("override {}: the command already names the file; leave it out",
+                                   quote(change.text())));
     }
-    if (change.key != kind.file_key) continue;
-    throw InputError(fmt::format("override {}: the command already names the file; leave it out",
-                                 quote(change.text())));
+    const std::string key = change.key.substr(0, change.key.find('.'));
+    if (std::ranges::find(kind.meaningless, key) == kind.meaningless.end()) continue;
+    throw InputError(
+        fmt::format("override {}: unknown key '{}' here, because '{}' means nothing for {} "
+                    "that is read from a file; leave it out",
+                    quote(change.text()), key, key, kind.name));
   }
 }
 

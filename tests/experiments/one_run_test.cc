@@ -90,7 +90,10 @@ TEST_F(OneRun, DragsAShapeInSteps) {
 }
 
 TEST_F(OneRun, DragsADrawingInSteps) {
-  EXPECT_GT(measured(drawing({"drag.steps=5"})).at("iterations_mean"), 0);
+  // The closed form does not iterate.
+  const Json m = measured(drawing({"drag.steps=5", "deformer=embedded_deformation"}));
+  EXPECT_GT(m.at("iterations_mean"), 0);
+  EXPECT_EQ(measured(drawing({"drag.steps=5"})).at("finite"), 1);
   expect_success(drawing({"drag.steps=2", "drag.back=true"}));
 }
 
@@ -108,23 +111,28 @@ TEST_F(OneRun, MeasuresWhatItIsAsked) {
 }
 
 TEST_F(OneRun, DrawsAsItIsAsked) {
-  EXPECT_EQ(pictured(shape({"picture.width=40"})), 80);
-  EXPECT_EQ(pictured(shape({"picture.width=40", "picture.rest=false"})), 40);
+  // White margins are cut off, so that a panel is a little narrower than asked.
+  const int panel = pictured(shape({"picture.width=40", "picture.rest=false"}));
+  EXPECT_LE(panel, 40);
+  EXPECT_GT(panel, 35);
+  EXPECT_EQ(pictured(shape({"picture.width=40"})), 2 * panel);
   EXPECT_EQ(pictured(drawing({"picture.width=50", "picture.columns=1"})), 50);
   EXPECT_EQ(pictured(drawing({"picture.width=50", "picture.stages=true"})), 200);
-  EXPECT_EQ(pictured(frames({"picture.width=40", "animation.pictured=3"})), 120);
+  const int column = pictured(frames({"picture.width=40", "animation.pictured=1"}));
+  EXPECT_LE(column, 40);
+  EXPECT_GT(column, 35);
+  EXPECT_EQ(pictured(frames({"picture.width=40", "animation.pictured=3"})), 3 * column);
   EXPECT_EQ(pictured(particles({"picture.width=40", "pictured=2"})), 80);
 }
 
 TEST_F(OneRun, ChangesWhatTheFilesSay) {
   expect_success(shape({"edit.1.by=[0, 0, 0.1]"}));
   EXPECT_LT(read_shape(place("out.off")).V.row(2).maxCoeff(), 0.2);
-  expect_success(shape({"shape.vertices=200"}));
-  EXPECT_NEAR(read_shape(place("out.off")).V.cols(), 200, 2);
 }
 
 TEST_F(OneRun, RefusesKeysThatMeanNothing) {
   expect_refused(shape({"paint=[]"}), {"'paint' means nothing for a shape"});
+  expect_refused(shape({"shape.vertices=200"}), {"'shape' means nothing for a shape"});
   expect_refused(shape({"depth.front=left"}), {"'depth' means nothing for a shape"});
   expect_refused(drawing({"cut=[]"}), {"'cut' means nothing for a drawing"});
   expect_refused(frames({"drag.steps=2"}), {"'drag' means nothing for a mesh animation"});

@@ -111,7 +111,7 @@ SubjectKind shape_kind() {
       .name = "a shape",
       .flag = "",
       .file_key = "shape.file",
-      .meaningless = {"drawing", "animation", "paint", "depth", "output"},
+      .meaningless = {"shape", "drawing", "animation", "paint", "depth", "output"},
       .is_in = [](const RunOptions&) { return true; },
       .reads = [](const CommandLine&) { return true; },
       .load_edit = put_edit,
