@@ -1,13 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "geometry/core/options.h"
 
 namespace deformlab {
 
@@ -46,49 +47,48 @@ void check_option_names(const std::string& term, const std::vector<OptionInfo>& 
 ///   static Terms<Volume> over(const GraphContext& context, const Options& options);
 ///
 /// A config sets them beside the weight, `energies: {volume: {weight: 1, target: 0.9}}`, and `help`
-/// and `list` show them. A field may have the types of OptionValue; `visit.choice` takes a
-/// std::string and its allowed names.
+/// and `list` show them. A field may have the types of OptionValue; ranges and choices are declared
+/// as geometry/core/options.h says.
 template <class Term>
 concept HasOptions = requires {
   typename Term::Options;
 };
 
-/// Shown to `fields`, it calls `use(option, field)` for each of them.
+/// Shown to `fields`, it calls `use(option, value)` for each field.
 template <class Use>
-struct OptionVisitor {
-  Use use;
+class OptionVisitor : public FieldVisitor<OptionVisitor<Use>> {
+ public:
+  explicit OptionVisitor(Use use) : use_(std::move(use)) {}
+  void field(const Field& field, auto& value) {
+    use_(OptionInfo{field.name, value, field.meaning, field.names}, value);
+  }
 
-  void operator()(const char* name, auto& field, const char* meaning) {
-    use(OptionInfo{name, field, meaning}, field);
-  }
-  void choice(const char* name, auto& field, std::initializer_list<const char*> allowed,
-              const char* meaning) {
-    use(OptionInfo{name, field, meaning, {allowed.begin(), allowed.end()}}, field);
-  }
+ private:
+  Use use_;
 };
-template <class Use>
-OptionVisitor(Use) -> OptionVisitor<Use>;
 
 /// What a term's options are, with their defaults.
 template <class Options>
 std::vector<OptionInfo> describe_options() {
   std::vector<OptionInfo> result;
   const Options defaults{};
-  OptionVisitor visit{[&](OptionInfo option, const auto&) { result.push_back(std::move(option)); }};
+  OptionVisitor visit([&](OptionInfo option, const auto&) { result.push_back(std::move(option)); });
   Options::fields(defaults, visit);
   return result;
 }
 
-/// The options with some of them replaced by values. Throws InputError as assign_option does.
+/// The options with some of them replaced by values. Throws InputError as assign_option does, and
+/// for a number that is not in its range.
 template <class Options>
 Options make_options(const std::string& term, const OptionValues& values) {
   Options options{};
-  OptionVisitor visit{[&](const OptionInfo& option, auto& field) {
+  OptionVisitor visit([&](const OptionInfo& option, auto& field) {
     OptionValue value = option.value;
     assign_option(term, option, values, value);
     field = std::get<std::remove_cvref_t<decltype(field)>>(std::move(value));
-  }};
+  });
   Options::fields(options, visit);
+  inside_option(term, [&] { check_options(options); });
   return options;
 }
 
