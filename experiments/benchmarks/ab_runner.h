@@ -5,7 +5,20 @@
 #include <utility>
 #include <vector>
 
+#include "solvers/stopwatch.h"
+
 namespace deformlab {
+
+/// The time of one call [ms].
+template <class Action>
+double ms_of(Action&& action) {
+  double seconds = 0;
+  {
+    Stopwatch watch(seconds);
+    action();
+  }
+  return 1e3 * seconds;
+}
 
 /// What one run of one way gave.
 struct RunResult {

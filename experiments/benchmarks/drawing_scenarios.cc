@@ -58,7 +58,7 @@ Drawing drawing(int vertices) {
 
 // Milliseconds of one call, the mean of as many calls as take long enough to be measured.
 template <class Call>
-double ms_of(Call&& call) {
+double mean_ms(Call&& call) {
   double seconds = 0;
   int calls = 0;
   while (seconds < kLeastSeconds) {
@@ -83,8 +83,8 @@ class TwoStepWay {
 
   RunResult compile() {
     RunResult result;
-    result.ms = ms_of([&] { deformation_.compile(handles_); });
-    result.parts = {{"registration", ms_of([&] { ClosedFormSteps(drawing_.mesh, weights_); })}};
+    result.ms = mean_ms([&] { deformation_.compile(handles_); });
+    result.parts = {{"registration", mean_ms([&] { ClosedFormSteps(drawing_.mesh, weights_); })}};
     return result;
   }
 
@@ -92,14 +92,14 @@ class TwoStepWay {
     TwoStepSolver::Seconds phases;
     double calls = 0;
     RunResult result;
-    result.ms = ms_of([&] {
+    result.ms = mean_ms([&] {
       deformation_.update(drawing_.targets);
       phases.step_one += deformation_.seconds().step_one;
       phases.fit += deformation_.seconds().fit;
       phases.step_two += deformation_.seconds().step_two;
       ++calls;
     });
-    const double solve = ms_of([&] { registered_.H_grounded.solve(z_); });
+    const double solve = mean_ms([&] { registered_.H_grounded.solve(z_); });
     result.parts = {{"step one", 1e3 * phases.step_one / calls},
                     {"fit", 1e3 * phases.fit / calls},
                     {"step two", 1e3 * phases.step_two / calls},
@@ -126,7 +126,7 @@ class CgalWay {
 
   RunResult compile() {
     RunResult result;
-    result.ms = ms_of([&] { preprocess(); });
+    result.ms = mean_ms([&] { preprocess(); });
     return result;
   }
 
@@ -136,7 +136,7 @@ class CgalWay {
                                        Point(drawing_.targets(0, i), drawing_.targets(1, i), 0));
     }
     RunResult result;
-    result.ms = ms_of([&] { deformation_.deform(1, 0); });
+    result.ms = mean_ms([&] { deformation_.deform(1, 0); });
     return result;
   }
 

@@ -19,16 +19,6 @@ namespace deformlab {
 namespace {
 
 template <class Action>
-double ms_of(Action&& action) {
-  double seconds = 0;
-  {
-    Stopwatch watch(seconds);
-    action();
-  }
-  return 1e3 * seconds;
-}
-
-template <class Action>
 double median_ms(int repetitions, Action&& action) {
   std::vector<double> all;
   for (int i = 0; i < repetitions; ++i) all.push_back(ms_of(action));

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "deformers/baselines/cgal_arap.h"
-#include "solvers/stopwatch.h"
 
 namespace deformlab {
 namespace {
@@ -19,16 +18,6 @@ Eigen::Matrix3Xd targets(double side, double lift) {
   Eigen::Matrix3Xd result = reference_scene().targets;
   for (auto target : result.colwise()) target.z() += target.x() > 0.5 ? lift : 0;
   return side > 0 ? Eigen::Matrix3Xd(side * result) : result;
-}
-
-template <class Action>
-double ms_of(Action&& action) {
-  double seconds = 0;
-  {
-    Stopwatch watch(seconds);
-    action();
-  }
-  return 1e3 * seconds;
 }
 
 double compile_ms(Deformer& deformation) {
