@@ -191,7 +191,7 @@ void repair_reflections(Problem& problem, const DeformationGraph& graph, const E
       options);
   if (guarded.solve.status == Status::kFailed || count_inside_out(problem.x) >= before) {
     problem.x.X = X;
-    report.notes.push_back("nodes that are inside out could not be turned back");
+    report.notes.emplace_back("nodes that are inside out could not be turned back");
     return;
   }
   solve_without_term(problem, solver, guarded);
