@@ -12,16 +12,16 @@ namespace {
 
 using Eigen::Index;
 
-// Lengths along the boundary and distances from it are in units of the spacing there.
-constexpr double kPiece = 1.0 / 16;                     // what a curve is cut into
-constexpr double kReach = 0.5;                          // over which a turn is measured
-constexpr double kSharp = 40 * std::numbers::pi / 180;  // a turn that makes a corner
+// Lengths along the boundary and distances from it are in units of the local spacing.
+constexpr double kPiece = 1.0 / 16;                     // length of the pieces of a curve
+constexpr double kReach = 0.5;                          // length over which an angle is measured
+constexpr double kSharp = 40 * std::numbers::pi / 180;  // least angle of a sharp corner
 constexpr double kTolerance = 0.1;                      // distance of the boundary from a chord
-constexpr int kFew = 4;           // chords of an arc that are made shorter all at once
+constexpr int kFew = 4;           // an arc of at most so many chords may get twice as many
 constexpr int kMostRounds = 100;  // of tightening
 
-// A closed polygon, cut into short pieces, and the chords that are to stand for it. Its points are
-// numbered on after a whole turn.
+// A closed polygon, cut into short pieces, and the chords that replace it. Indices of its points
+// continue after a whole turn: i + size() is the same point as i.
 class Curve {
  public:
   Curve(const Eigen::Matrix2Xd& polygon, const Spacing& spacing) {
@@ -33,7 +33,7 @@ class Curve {
 
   Eigen::Matrix2Xd chosen() const { return P_(Eigen::all, chosen_); }
 
-  // A chord, or all of them, is to follow the boundary twice as closely.
+  // Halves the distance that the boundary may have from a chord, or from all of them.
   void tighten(Index chord) {
     const bool last = chord + 1 == static_cast<Index>(chosen_.size());
     tighten(chosen_[chord], last ? chosen_[0] + size() : chosen_[chord + 1]);
@@ -92,7 +92,7 @@ void Curve::cut(const Eigen::Matrix2Xd& polygon, const Spacing& spacing) {
   }
 }
 
-// The point nearest to a place, 0 … twice around.
+// The point that is nearest to a length along the curve, which is at most two turns.
 Index Curve::index(double place) const {
   const Index turns = place >= around_ ? 1 : 0;
   const auto next = std::ranges::upper_bound(along_, place - turns * around_);
@@ -101,7 +101,7 @@ Index Curve::index(double place) const {
   return nearer ? after : after - 1;
 }
 
-// The angle between the chords before and after a point.
+// The angle by which the curve turns at a point, between its chords over kReach on either side.
 double Curve::turn(Index i) const {
   const double reach = std::min(kReach, around_ / 4);
   const Eigen::Vector2d before = at(i) - at(index(along(i + size()) - reach));
@@ -109,7 +109,8 @@ double Curve::turn(Index i) const {
   return std::abs(std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after)));
 }
 
-// The sharpest first, none within reach of a sharper one; without any, wherever it turns most.
+// Takes the sharpest corners first and none within reach of a sharper one. A curve without a sharp
+// corner gets one where it turns most.
 void Curve::find_corners() {
   std::vector<std::pair<double, Index>> turns;
   for (const Index i : given_) turns.emplace_back(-turn(i), i);
@@ -128,7 +129,7 @@ void Curve::find_corners() {
   }
 }
 
-// How much farther than allowed a point is from the chord between two others.
+// By how much the distance of a point from the chord between two others is greater than allowed.
 double Curve::excess(Index i, Index from, Index to) const {
   const Eigen::Vector2d chord = at(to) - at(from), offset = at(i) - at(from);
   const double length = chord.squaredNorm();
@@ -147,7 +148,7 @@ std::vector<Index> Curve::even(Index from, Index to, int chords) const {
   return ends;
 }
 
-// The point that is left the most, or -1 where all chords are close enough.
+// The point with the greatest excess, or -1 where all chords are close enough.
 Index Curve::worst(const std::vector<Index>& ends) const {
   Index result = -1;
   double most = 0;
@@ -160,8 +161,8 @@ Index Curve::worst(const std::vector<Index>& ends) const {
   return result;
 }
 
-// Chooses points on an arc: evenly, a few more than its length asks for where that is enough, or on
-// either side of the point that is left the most.
+// Spaces the chosen points of an arc evenly, on a short arc more closely where that suffices.
+// Otherwise it divides the arc at the point with the greatest excess.
 void Curve::divide(Index from, Index to) {
   const double length = along(to) - along(from);
   const bool closed = to - from == size();
@@ -181,8 +182,8 @@ void Curve::divide(Index from, Index to) {
   divide(split, to);
 }
 
-// Tightens the curves whose chords meet or lie on the wrong side of each other. Were they all, the
-// curves at last would be the given polygons.
+// Tightens the curves whose chords meet or lie on the wrong side of each other. This comes to an
+// end, because a curve that is always tightened becomes the given polygon.
 bool tighten(std::vector<Curve>& curves, const Polygons& polygons) {
   bool tightened = false;
   for_edges_that_meet(polygons, [&](const PolygonEdge& e, const PolygonEdge& f) {

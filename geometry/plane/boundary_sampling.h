@@ -7,12 +7,13 @@
 
 namespace deformlab {
 
-/// The length that edges are to have at a place [length].
+/// The desired length of edges at a point [length].
 using Spacing = std::function<double(const Eigen::Vector2d&)>;
 
-/// The region with new corners along its boundary, about `spacing` apart: evenly between sharp
-/// corners, which stay, and closer where the boundary would otherwise be left by more than a small
-/// part of the spacing, or polygons would meet. Expects a checked region and gives one.
+/// The region with new corners on its boundary, about `spacing` apart. Sharp corners stay, and the
+/// new corners are spaced evenly between them. They are closer where an edge would otherwise leave
+/// the boundary by more than a small part of the spacing, or where polygons would meet. Expects a
+/// checked region and returns one.
 Region resampled(const Region& region, const Spacing& spacing);
 
 }  // namespace deformlab

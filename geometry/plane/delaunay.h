@@ -11,7 +11,8 @@ namespace deformlab {
 
 using DelaunayKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// CGAL sorts vertices by their address unless they are stamped: results would differ between runs.
+/// A vertex with a time stamp. Without one CGAL sorts vertices by their addresses, and results
+/// would differ between runs.
 template <class Base = CGAL::Triangulation_vertex_base_2<DelaunayKernel>>
 class StampedVertex : public Base {
  public:
@@ -28,7 +29,7 @@ class StampedVertex : public Base {
   std::size_t stamp_ = static_cast<std::size_t>(-1);
 };
 
-/// Constrained edges are the boundary; a face knows whether it is inside.
+/// Constrained edges are the boundary of a region. A face knows whether it is inside.
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
     DelaunayKernel, CGAL::Triangulation_data_structure_2<
                         StampedVertex<>, CGAL::Delaunay_mesh_face_base_2<DelaunayKernel>>>;

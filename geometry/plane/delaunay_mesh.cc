@@ -15,11 +15,11 @@ namespace {
 using Point = DelaunayKernel::Point_2;
 
 constexpr double kAngle = 0.125;  // the squared sine of the least angle, 20.7°
-constexpr double kLongest = 1.4;  // edge, in units of the spacing: makes edges of about one
-constexpr int kMostSteps = 20;    // a vertex; each makes one, or sees that one is not needed
+constexpr double kLongest = 1.4;  // longest edge in units of the spacing; makes edges of about 1
+constexpr int kMostSteps = 20;    // per vertex; a step adds a vertex or finds that none is needed
 
-// What the mesher has to mend: small angles and, of a scale above 0, edges longer than that many
-// times the spacing.
+// The mesher has to remove small angles and, where the scale is above 0, edges longer than the
+// spacing times the scale.
 class Criteria : public CGAL::Delaunay_mesh_size_criteria_2<Delaunay> {
  public:
   using Base = CGAL::Delaunay_mesh_size_criteria_2<Delaunay>;
@@ -55,7 +55,7 @@ void insert(const Eigen::Matrix2Xd& polygon, Delaunay& delaunay) {
 
 using Mesher = CGAL::Delaunay_mesher_2<Delaunay, Criteria>;
 
-// The middle of the largest triangle in a polygon.
+// A point inside a polygon: the centroid of its largest triangle.
 Point place_in(const Eigen::Matrix2Xd& polygon) {
   Delaunay delaunay;
   insert(polygon, delaunay);
@@ -72,7 +72,6 @@ Point place_in(const Eigen::Matrix2Xd& polygon) {
   return result;
 }
 
-// One region on its way to a mesh.
 class Refiner {
  public:
   Refiner(const Region& region, const Spacing& spacing, int most_vertices)
@@ -84,9 +83,9 @@ class Refiner {
     }
   }
 
-  // Adds vertices where edges are longer than so many times the spacing (0: whatever they are) or
-  // angles too small, the longest first, until there are enough. False where there would be too
-  // many, or nothing came of many steps.
+  // Adds vertices where edges are longer than `longest` times the spacing (unless `longest` is 0)
+  // or angles are too small, at the longest edges first, until there are enough. Returns false
+  // where there would be too many or where many steps do not suffice.
   bool refine(double longest, std::size_t enough) {
     Mesher mesher(delaunay_, {spacing_, longest});
     mesher.set_seeds(seeds_.begin(), seeds_.end());

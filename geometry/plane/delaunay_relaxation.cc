@@ -8,9 +8,9 @@ namespace {
 using Point = DelaunayKernel::Point_2;
 using Vertex = Delaunay::Vertex_handle;
 
-constexpr double kStep = 1.8;  // of the way to the centre: it takes half as many passes as 1
+constexpr double kStep = 1.8;  // in units of the way to the centroid; 1 takes twice as many passes
 
-// The centre of a vertex's Voronoi cell. Equal shares of the density s⁻⁴ keep triangles of edge s.
+// The centroid of a vertex's Voronoi cell. The density s⁻⁴ leads to edges of length s.
 Point center_of_cell(const Delaunay& delaunay, Vertex vertex, const Spacing& spacing) {
   const Point center = vertex->point();
   auto face = delaunay.incident_faces(vertex);
@@ -30,7 +30,7 @@ Point center_of_cell(const Delaunay& delaunay, Vertex vertex, const Spacing& spa
   return mass > 0 ? center + moment / mass : center;
 }
 
-// Do all triangles around a vertex keep their orientation once it is moved?
+// Whether all triangles around a vertex keep their orientation when it moves.
 bool fits(const Delaunay& delaunay, Vertex vertex, const Point& place) {
   auto face = delaunay.incident_faces(vertex);
   const auto first = face;
@@ -54,7 +54,7 @@ void move(Delaunay& delaunay, const std::vector<Vertex>& vertices, const Spacing
   }
 }
 
-// False where nothing had to be flipped.
+// Returns false where no edge had to be flipped.
 bool flip(Delaunay& delaunay) {
   bool flipped = false;
   for (Delaunay::Face_handle face : delaunay.finite_face_handles()) {

@@ -5,10 +5,10 @@
 
 namespace deformlab {
 
-/// So many passes of Lloyd's relaxation (1982): each vertex off the boundary moves beyond the
-/// centre of its Voronoi cell, of a density that suits the spacing, and edges are flipped until the
-/// triangulation is Delaunay again. Vertices on the boundary stay. Expects that faces know whether
-/// they are inside.
+/// Relaxes a triangulation (Lloyd 1982). In each pass every inner vertex moves to a point beyond
+/// the centroid of its Voronoi cell, whose density suits the spacing, and edges are flipped until
+/// the triangulation is Delaunay again. Vertices on the boundary stay. Expects that faces know
+/// whether they are inside.
 void relax(Delaunay& delaunay, const Spacing& spacing, int passes);
 
 }  // namespace deformlab

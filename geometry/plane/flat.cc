@@ -10,7 +10,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kFlat = 1e-6;  // extent along z that a file's digits may leave, as a share
+constexpr double kFlat = 1e-6;  // allowed extent along z as a share; a file's digits are rounded
 
 [[noreturn]] void reject(const std::string& name, const std::string& what) {
   throw InputError("cannot use '" + name + "': " + what);
@@ -40,7 +40,7 @@ std::string described(const Triangulation& mesh, Eigen::Index t) {
   return text.str();
 }
 
-// The way that all triangles turn.
+// The sign of the orientation that all triangles have.
 int common_turn(const Triangulation& mesh, const std::string& name) {
   int first = 0;
   for (Eigen::Index t = 0; t < mesh.F.cols(); ++t) {

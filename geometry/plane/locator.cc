@@ -1,4 +1,4 @@
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // one of Boost's own names another: no news to who builds
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost itself includes one, and warns about it
 
 #include "geometry/plane/locator.h"
 
@@ -23,7 +23,7 @@ using Box = bg::model::box<Point>;
 using Entry = std::pair<Box, int>;
 using Corners = Eigen::Matrix<double, 2, 3>;
 
-constexpr double kRounding = 1e-12;  // of the greatest coordinate
+constexpr double kRounding = 1e-12;  // relative to the greatest coordinate
 
 Corners corners(const Triangulation& mesh, Eigen::Index triangle) {
   return mesh.V(Eigen::all, mesh.F.col(triangle));
@@ -38,7 +38,7 @@ double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
   return u[0] * v[1] - u[1] * v[0];
 }
 
-// Barycentric coordinates of the place on an edge, from corner k to the next, nearest to a point.
+// Barycentric coordinates of the point on the edge from corner k that is nearest to a given point.
 Eigen::Vector3d nearest_on_edge(const Corners& triangle, int k, const Eigen::Vector2d& point) {
   const int next = (k + 1) % 3;
   const Eigen::Vector2d along = triangle.col(next) - triangle.col(k);
@@ -49,7 +49,7 @@ Eigen::Vector3d nearest_on_edge(const Corners& triangle, int k, const Eigen::Vec
   return b;
 }
 
-// … of the place in the triangle nearest to a point.
+// Barycentric coordinates of the point in the triangle that is nearest to a given point.
 Eigen::Vector3d nearest_inside(const Corners& triangle, const Eigen::Vector2d& point) {
   Eigen::Vector3d b;
   for (int k = 0; k < 3; ++k) {
@@ -70,7 +70,7 @@ Eigen::Vector3d nearest_inside(const Corners& triangle, const Eigen::Vector2d& p
 
 struct Locator::Tree {
   std::vector<Corners> triangles;
-  double rounding;  // distances up to this are taken for 0 [length]
+  double rounding;  // distances up to this count as 0 [length]
   bg::index::rtree<Entry, bg::index::rstar<8>> boxes;
 
   void try_triangle(int t, const Eigen::Vector2d& point, Located& best) const;
@@ -81,7 +81,7 @@ void Locator::Tree::try_triangle(int t, const Eigen::Vector2d& point, Located& b
   const Eigen::Vector2d nearest = triangles[t] * b;
   double distance = (nearest - point).norm();
   if (distance <= rounding) distance = 0;
-  const bool first = t < best.triangle;  // of several that share the place
+  const bool first = t < best.triangle;
   if (distance > best.distance || (distance == best.distance && !first)) return;
   best = {t, b, distance == 0 ? point : nearest, distance};
 }
@@ -109,7 +109,7 @@ Located Locator::operator()(const Eigen::Vector2d& point) const {
   const Point query(point[0], point[1]);
   Located result{-1, {}, {}, std::numeric_limits<double>::infinity()};
   std::vector<Entry> near;
-  double reach = 0;  // no box but those in `near` is nearer
+  double reach = 0;  // all boxes that are nearer than this are in `near`
   for (unsigned count = 8; reach <= result.distance && near.size() < tree_->boxes.size();
        count *= 4) {
     near.clear();

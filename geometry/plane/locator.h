@@ -7,21 +7,24 @@
 
 namespace deformlab {
 
-/// A place inside a triangulation.
+/// The point of a triangulation that is nearest to a given point.
 struct Located {
   int triangle;             ///< column of F
-  Eigen::Vector3d b;        ///< its barycentric coordinates there, ≥ 0 and of sum one
-  Eigen::Vector2d nearest;  ///< the place itself, or the nearest that is inside [length]
-  double distance;          ///< between the two: 0 inside [length]
+  Eigen::Vector3d b;        ///< its barycentric coordinates in the triangle, ≥ 0, with sum 1
+  Eigen::Vector2d nearest;  ///< the given point itself where that is inside [length]
+  double distance;          ///< from the given point, 0 inside [length]
 };
 
-/// Finds the triangle in which a point lies, or the nearest.
+/// Finds the triangle that contains a point or is nearest to it.
 class Locator {
  public:
-  explicit Locator(const Triangulation& mesh);  ///< keeps a copy of what it needs
+  /// Copies the triangles. Throws InputError where there are none.
+  explicit Locator(const Triangulation& mesh);
   ~Locator();
   Locator(Locator&&) noexcept;
 
+  /// Of several triangles at the same distance it finds the first. Throws InputError where the
+  /// point is not finite.
   Located operator()(const Eigen::Vector2d& point) const;
 
  private:

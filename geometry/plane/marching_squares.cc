@@ -8,7 +8,7 @@ namespace {
 
 using Index = std::ptrdiff_t;
 constexpr Index kNone = -1;
-constexpr Index kAcross = -2;  // of a crossing between two columns
+constexpr Index kAcross = -2;  // marks a crossing between two columns
 
 // Where the boundary crosses a grid line. The boundary runs from each crossing to one other.
 struct Crossing {
@@ -17,8 +17,8 @@ struct Crossing {
   Index above;  // the previous crossing on the same column of samples, kNone or kAcross
 };
 
-// Along one axis of n entries: entries, a copy of the outermost two on the border itself, and one
-// more there that is below the threshold. So what touches the border ends exactly there.
+// The samples along one axis of n entries. At either end a copy of the outermost entry is on the
+// border, and so is a sample below the threshold, so that a shape ends exactly at the border.
 struct Axis {
   explicit Axis(Index entries) : n(entries) {}
   Index samples() const { return n + 4; }
@@ -54,7 +54,7 @@ class MarchingSquares {
  private:
   bool inside(float value) const { return value >= threshold_; }
 
-  // Fraction of the way from one sample to the next at which the threshold is met.
+  // The fraction of the way from one sample to the next at which the field meets the threshold.
   double fraction(double from, double to) const {
     return std::clamp((threshold_ - from) / (to - from), 1e-3, 1 - 1e-3);
   }
@@ -88,7 +88,7 @@ class MarchingSquares {
     return add({(1 - t) * x_.place(i) + t * x_.place(i + 1), y_.place(j)}, kAcross);
   }
 
-  // The squares between two columns.
+  // Connects the crossings in the squares between columns i and i + 1.
   void connect(Index i) {
     Index top = kNone;  // the uppermost samples are all beyond the border
     for (Index j = 0; j + 1 < y_.samples(); ++j) {
@@ -102,8 +102,8 @@ class MarchingSquares {
     }
   }
 
-  // Joins the crossings on the four sides of a square, side k between corner k and the next: from
-  // where a walk around the square leaves the shape to where it enters again.
+  // Connects the crossings on the sides of a square. Side k is between corner k and the next. The
+  // boundary runs from where a walk around the square leaves the shape to where it enters again.
   void connect(const std::array<float, 4>& corner, const std::array<Index, 4>& side) {
     const auto leaves = [&](int k) { return inside(corner[k]) && !inside(corner[(k + 1) % 4]); };
     const bool saddle = std::ranges::count(side, kNone) == 0;
@@ -119,7 +119,7 @@ class MarchingSquares {
     }
   }
 
-  // Is the bilinear surface at its saddle at least the threshold?
+  // Whether the bilinear interpolant is at least the threshold at its saddle point.
   bool joined(const std::array<float, 4>& corner) const {
     const auto product = [&](int a, int b) {
       return (static_cast<double>(corner[a]) - threshold_) *
@@ -137,13 +137,14 @@ class MarchingSquares {
   std::vector<Crossing> crossings_;
 };
 
-// The closed walks along crossings, without corners that repeat or lie on a straight line.
+// The closed polygons through the crossings, without corners that repeat or lie on a straight line.
 class Loops {
  public:
   explicit Loops(std::vector<Crossing> crossings)
       : crossings_(std::move(crossings)), loop_of_(crossings_.size(), kNone) {
     for (Index c = 0; c < static_cast<Index>(crossings_.size()); ++c) {
-      // A loop begins where it first meets a column: above that crossing is the part it belongs to.
+      // A loop begins at its first crossing on a column, so that the loop of the crossing above is
+      // the part that a hole belongs to, or another hole of it.
       if (crossings_[c].above != kAcross && loop_of_[c] == kNone) follow(c);
     }
   }

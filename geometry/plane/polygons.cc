@@ -24,7 +24,7 @@ Segment segment(const Polygons& polygons, const PolygonEdge& edge) {
   return {at(polygon, edge.corner), at(polygon, edge.corner + 1)};
 }
 
-// Does the second edge, which begins where the first ends, run back along it?
+// Whether the second edge, which begins where the first ends, runs back along it.
 bool fold_back(const Segment& e, const Segment& next) {
   const Point a = e.source(), b = e.target(), c = next.target();
   return CGAL::collinear(a, b, c) && !CGAL::collinear_are_ordered_along_line(a, b, c);
@@ -97,7 +97,7 @@ std::optional<PolygonEdge> corner_near_edge(const Polygons& polygons, double dis
 std::vector<std::vector<int>> nesting(const Polygons& polygons) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
   std::vector<std::vector<Point>> corners(polygons.size());
-  std::vector<Box> firsts, extents;  // as no edges meet, a polygon is where one of its corners is
+  std::vector<Box> firsts, extents;  // no edges meet, so that the first corner tells for all
   for (int p = 0; p < static_cast<int>(polygons.size()); ++p) {
     for (Index i = 0; i < polygons[p].cols(); ++i) corners[p].push_back(at(polygons[p], i));
     extents.emplace_back(CGAL::bbox_2(corners[p].begin(), corners[p].end()), p);

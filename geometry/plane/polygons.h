@@ -7,7 +7,7 @@
 
 namespace deformlab {
 
-/// From one corner of one of several closed polygons to the next; or that corner itself.
+/// The edge of a closed polygon from a corner to the next one, or that corner itself.
 struct PolygonEdge {
   int polygon;
   Eigen::Index corner;
@@ -17,14 +17,15 @@ struct PolygonEdge {
 using Polygons = std::vector<Eigen::Matrix2Xd>;
 
 /// Calls `meet(e, f)`, e < f, for all edges that share more than the corner at which one follows
-/// the other, in no order that means anything. Exact.
+/// the other, in no particular order. The test is exact.
 void for_edges_that_meet(const Polygons& polygons,
                          const std::function<void(const PolygonEdge&, const PolygonEdge&)>& meet);
 
-/// The first corner that is nearer than that to an edge that neither begins nor ends there.
+/// The first corner that is nearer than `distance` [length] to an edge that does not end there.
 std::optional<PolygonEdge> corner_near_edge(const Polygons& polygons, double distance);
 
-/// For each polygon the others that it lies in, sorted; provided that no edges meet. Exact.
+/// For each polygon the sorted numbers of the polygons that contain it. Expects that no edges meet.
+/// The test is exact.
 std::vector<std::vector<int>> nesting(const Polygons& polygons);
 
 }  // namespace deformlab

@@ -38,7 +38,7 @@ Eigen::Matrix2Xd from_cgal(const Polygon& polygon) {
 }  // namespace
 
 double signed_area(const Eigen::Matrix2Xd& polygon) {
-  double twice = 0;  // measured from a corner, so that a place far from the origin costs no digits
+  double twice = 0;  // measured from a corner, so that a region far from the origin loses no digits
   for (Eigen::Index i = 2; i < polygon.cols(); ++i) {
     const Eigen::Vector2d u = polygon.col(i - 1) - polygon.col(0);
     const Eigen::Vector2d v = polygon.col(i) - polygon.col(0);

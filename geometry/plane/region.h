@@ -6,7 +6,8 @@
 
 namespace deformlab {
 
-/// A connected region of the plane: simple closed polygons, 2×n corners without the first repeated.
+/// A connected region of the plane. Its polygons are simple and closed; each is 2×n corners, and
+/// the first corner is not repeated at the end.
 struct Region {
   Eigen::Matrix2Xd outline;             ///< [length]
   std::vector<Eigen::Matrix2Xd> holes;  ///< inside the outline, apart from each other
@@ -21,15 +22,15 @@ double area(const Region& region);
 /// Length of the outline and of all holes [length].
 double perimeter(const Region& region);
 
-/// The region without repeated corners, the outline turning from x to y and the holes the other
-/// way. Throws InputError where a polygon has fewer than three different corners, a coordinate that
-/// is not finite, or no area, where edges cross or touch (naming two of them and the place), or
-/// where a hole is not inside the outline or lies inside another. `name` is what the message calls
-/// the region.
+/// The region without repeated corners. Its outline turns from x to y and its holes turn the other
+/// way. Throws InputError where a polygon has fewer than three different corners, no area or a
+/// coordinate that is not finite, where edges cross or touch (the message names two of them and the
+/// point), where a hole is not inside the outline or lies inside another hole, and where the region
+/// is smaller or larger than a shape may be. `name` is what the message calls the region.
 Region checked(const Region& region, const std::string& name);
 
-/// The region with fewer corners, none of which moved; the boundary moves by about `tolerance` at
-/// most [length], and polygons stay simple and apart. Expects a checked region.
+/// The region with some of its corners. Its boundary differs by at most about `tolerance` [length],
+/// and its polygons stay simple and apart. Expects a checked region.
 Region simplified(const Region& region, double tolerance);
 
 }  // namespace deformlab

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Index;
 
-// What is wrong with a region; polygon 0 is the outline, the holes follow.
+// Polygon 0 is the outline. The holes follow.
 [[noreturn]] void reject(const std::string& name, const std::string& what) {
   throw InputError("cannot use '" + name + "': " + what);
 }
@@ -47,7 +47,7 @@ Eigen::Matrix2Xd without_repeated(const Eigen::Matrix2Xd& polygon, int number,
   return polygon(Eigen::all, kept);
 }
 
-// Areas and energies hold the fourth power of a length: it must not leave the range of a double.
+// The fourth power of a length, which occurs in areas and energies, must be in a double's range.
 void check_extent(const Eigen::Matrix2Xd& outline, const std::string& name) {
   const double across = (outline.rowwise().maxCoeff() - outline.rowwise().minCoeff()).stableNorm();
   const double farthest = outline.cwiseAbs().maxCoeff();
@@ -76,7 +76,7 @@ std::string meeting_place(const Polygons& polygons, const PolygonEdge& e, const 
     return Kernel::Segment_2({a[0], a[1]}, {b[0], b[1]});
   };
   const auto where = CGAL::intersection(segment(e), segment(f));
-  if (!where) return "";  // it exists, but rounding may lose it
+  if (!where) return "";  // the point exists, but rounding may lose it
   const auto* point = boost::get<Kernel::Point_2>(&*where);
   const auto place = point ? *point : boost::get<Kernel::Segment_2>(*where).source();
   return " at " + written({place.x(), place.y()});

@@ -8,11 +8,10 @@
 
 namespace deformlab {
 
-/// How a silhouette is traced.
 struct TraceOptions {
-  double threshold = 0.5;   ///< opacity from which on a place belongs to the shape
-  bool fill_holes = false;  ///< the shape is taken for solid
-  double least_hole = 1;    ///< smaller holes are filled [pixel²]
+  double threshold = 0.5;
+  bool fill_holes = false;
+  double least_hole = 1;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -24,21 +23,20 @@ struct TraceOptions {
   }
 };
 
-/// What was found in an image.
+/// The shape that was found in an image.
 struct Silhouette {
-  Region region;              ///< the part of largest area [pixel], checked
-  int left_out = 0;           ///< number of other parts, detached from it
+  Region region;              ///< the connected part with the largest area [pixel]
+  int left_out = 0;           ///< number of the other parts
   double left_out_share = 0;  ///< their share of the area of all parts, 0 … 1
-  int filled_holes = 0;       ///< of this part
+  int filled_holes = 0;       ///< number of holes of the region that were filled
 };
 
-/// The outline of what is opaque, by marching squares with linear interpolation, so below a pixel's
-/// precision (Igarashi et al. 2005, section 3). `alpha` is H×W, from 0 (transparent) to 1, its
-/// entry (row, column) at the place (column + ½, row + ½). All beyond the image's border is
-/// transparent: what touches the border ends exactly there. Pixels that touch in a corner only are
-/// taken for connected where the surface between them is. Memory grows with the length of all
-/// boundaries. Throws InputError where nothing is opaque, the image is empty, an entry is not
-/// finite, or an option is out of range; `name` is what the message calls the image.
+/// Traces the outline of the opaque pixels by marching squares (Igarashi et al. 2005, section 3).
+/// Linear interpolation makes it more precise than a pixel. `alpha` is H×W, from 0 (transparent) to
+/// 1, and its entry (row, column) is at x = column + ½, y = row + ½. A shape that touches the
+/// image's border ends exactly there. Memory grows with the length of all boundaries. Throws
+/// InputError where nothing is opaque, the image is empty, an entry is not finite, or an option is
+/// out of range. `name` is what the message calls the image.
 Silhouette trace(const Eigen::ArrayXXf& alpha, const TraceOptions& options,
                  const std::string& name);
 

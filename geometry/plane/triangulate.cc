@@ -13,13 +13,13 @@ namespace deformlab {
 namespace {
 
 constexpr double kLeastDetail = 1e-9;
-constexpr int kPasses = 40;           // of relaxation; triangles hardly get better after
-constexpr int kMostTries = 8;         // at a number of vertices
-constexpr double kFew = 0.8;          // share of them that edges of one length have to make
-constexpr double kMostStretch = 1.5;  // of edges: longer ones would not follow the boundary
+constexpr int kPasses = 40;           // of relaxation; more hardly improve the triangles
+constexpr int kMostTries = 8;         // to meet the number of vertices
+constexpr double kFew = 0.8;          // least share of the vertices before more are added
+constexpr double kMostStretch = 1.5;  // longer edges would not follow the boundary
 constexpr double kBlend = 0.1;  // share of the width on either side of the middle where edges grow
 
-// How the length of edges varies over a region.
+// The desired length of edges over a region.
 class Lengths {
  public:
   Lengths(const Region& region, double uneven)
@@ -27,8 +27,7 @@ class Lengths {
         width_(region.outline.row(0).maxCoeff() - left_),
         uneven_(uneven) {}
 
-  // As many edges as if all had that length, where the region is as high on the right as on the
-  // left.
+  // Makes as many edges as if all had that length, if the right is as high as the left.
   Spacing spacing(double length) const {
     if (uneven_ == 1) return [length](const Eigen::Vector2d&) { return length; };
     const double middle = length * std::sqrt((uneven_ + 1 / uneven_) / 2);
@@ -43,27 +42,28 @@ class Lengths {
   double left_, width_, uneven_;
 };
 
-// Equilateral triangles of that edge: each of area √3/4 h², two a vertex but for those on the rim.
+// The edge length h of equilateral triangles. Each has the area √3/4 h², and there are two per
+// inner vertex, but fewer per vertex of the boundary.
 double edge_length(const Region& region, int vertices) {
   const double inside = area(region) * 2 / std::sqrt(3.0), rim = perimeter(region) / 2;
   return (rim + std::sqrt(rim * rim + 4 * vertices * inside)) / (2 * vertices);
 }
 
-// Meshes of one region for any length of edges.
+// Triangulates one region with edges of any length.
 class Mesher {
  public:
   Mesher(const Region& region, const TriangulationOptions& options, const std::string& name)
       : region_(region), lengths_(region, options.uneven), options_(options), name_(name) {}
 
-  // Edges so long that vertices are missing, if few; then as many more as are missing, less those
-  // that angles take after the relaxation.
+  // Edges are first so long that a few vertices are missing. Those are added, except as many as the
+  // repair of angles after the relaxation added in the last try.
   Triangulation run() const {
     const double length = coarse_length();
     int least = options_.vertices;
     Triangulation best = meshed(length, kPasses, least);
     int last = static_cast<int>(best.V.cols());
     for (int i = 1; i < kMostTries && off(best) > options_.vertices / 100; ++i) {
-      if (off(best) > options_.vertices / 3) break;  // the boundary asks for more
+      if (off(best) > options_.vertices / 3) break;  // the boundary needs more vertices
       least -= last - options_.vertices;
       Triangulation next = meshed(length, kPasses, least);
       last = static_cast<int>(next.V.cols());
@@ -103,7 +103,7 @@ class Mesher {
                      " vertices, so thin are its parts; make them thicker or leave them out");
   }
 
-  // Computing with triangles costs more digits the thinner they are.
+  // Computations with triangles lose more digits, the thinner the triangles are.
   void check_apart(const Region& region) const {
     Polygons polygons{region.outline};
     polygons.insert(polygons.end(), region.holes.begin(), region.holes.end());

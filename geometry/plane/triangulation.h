@@ -9,27 +9,25 @@
 
 namespace deformlab {
 
-/// A region of the plane cut into triangles: the rest shape of a drawing (Igarashi et al. 2005,
-/// section 3). Coordinates are those of the drawing, so pixels and y down where it is an image.
+/// A region of the plane cut into triangles, which is the rest shape of a drawing (Igarashi et al.
+/// 2005, section 3). Coordinates are those of the drawing; in an image they are pixels, and y
+/// points down.
 struct Triangulation {
   Eigen::Matrix2Xd V;  ///< 2×#V vertices [length]
   Eigen::Matrix3Xi F;  ///< 3×#F corners of each triangle, all turning the same way as (x, y)
 };
 
-/// How good triangles are.
+/// The quality of triangles.
 struct TriangleQuality {
   double least_angle = 0;  ///< over all triangles [degree]
-  double mean = 0;         ///< of 2 r_in / r_out: 1 for equilateral triangles, 0 for slivers
+  double mean = 0;         ///< mean of 2 r_in / r_out, 1 for equilateral triangles, 0 for slivers
 };
 
 TriangleQuality quality(const Triangulation& mesh);
 
-/// How a region is cut into triangles.
 struct TriangulationOptions {
-  int vertices = 300;  ///< asked for, 3 … 200,000
-  /// Edges on the right of the region are this many times as long as on its left (Figure 18); 1:
-  /// the same everywhere. 0.1 … 10.
-  double uneven = 1;
+  int vertices = 300;
+  double uneven = 1;  ///< as in Figure 18; 1 makes edges of the same length everywhere
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -40,25 +38,24 @@ struct TriangulationOptions {
   }
 };
 
-/// Near-equilateral triangles of similar size that follow the region's boundary: a constrained
-/// Delaunay triangulation, refined and then improved iteratively (Igarashi et al. 2005, section 3).
-/// The number of vertices is met within 3 % from 80 on where the region's corners, holes and thin
-/// parts leave room; they can ask for more. One connected mesh, every vertex used; the same input
-/// gives the same bytes. Throws InputError for options out of range, for a region that `checked`
-/// refuses, and for one with parts so thin that triangles would be too many (twice the number asked
-/// for, 100,000 at least) or their coordinates had too few digits; `name` is what the message calls
-/// it.
+/// Cuts a region into nearly equilateral triangles of similar size: a constrained Delaunay
+/// triangulation that is refined and then improved iteratively (Igarashi et al. 2005, section 3).
+/// From 80 vertices on their number is met within 3 %, unless the region's corners, holes and thin
+/// parts need more. The mesh is connected and uses every vertex, and the same input gives the same
+/// bytes. Throws InputError for options out of range, for a region that `checked` refuses, and for
+/// a region so thin that more than twice the given number of vertices (and more than 100,000) would
+/// be needed, or that coordinates would have too few digits. `name` is what the message calls it.
 Triangulation triangulate(const Region& region, const TriangulationOptions& options,
                           const std::string& name);
 
-/// The faces of a flat shape, z equal everywhere, cut into triangles; vertices keep their numbers.
-/// A mesh that is turned over as a whole is turned back. Throws InputError as `check` does, and
-/// where the shape is not flat (to a millionth of its extent), has no triangle, a triangle without
-/// area or one that turns the other way than the first, or a vertex that no triangle has. `name` is
-/// what the message calls it.
+/// The faces of a flat shape, where all z are equal, cut into triangles. Vertices keep their
+/// numbers. Where all triangles turn the wrong way, all of them are reversed. Throws InputError as
+/// `check` does, and where the shape is not flat (to a millionth of its extent), has no triangle, a
+/// triangle without area or one that turns the other way than the first, or a vertex in no
+/// triangle. `name` is what the message calls the shape.
 Triangulation flat(const Shape& shape, const std::string& name);
 
-/// The same with z = 0, for what takes a shape.
+/// The triangulation as a shape with z = 0.
 Shape to_shape(const Triangulation& mesh);
 
 }  // namespace deformlab

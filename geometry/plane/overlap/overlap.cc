@@ -19,13 +19,13 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
 
 constexpr double kMostCoordinate = 1e100;
 
-// Ends a search that would fill the memory.
+// Thrown to end a search that would fill the memory.
 struct TooTangled {};
 
 Eigen::Matrix3Xi neighbours_of(const Eigen::Matrix3Xi& F) {
   struct Side {
     int low, high, triangle, edge;
-    bool upward;  // from the lower number to the higher
+    bool upward;  // whether the side runs from the lower vertex index to the higher
   };
   std::vector<Side> sides;
   for (int t = 0; t < F.cols(); ++t) {
@@ -63,7 +63,6 @@ void check(const Eigen::Matrix2Xd& V, Eigen::Index vertices) {
   }
 }
 
-// One search. What is at rest is named as in the finder.
 class Search {
  public:
   Search(const Eigen::Matrix3Xi& F, const Eigen::Matrix3Xi& neighbours, const Eigen::Matrix2Xd& V)
@@ -89,7 +88,7 @@ class Search {
   TriangleCorners corners(int t) const { return V_(Eigen::all, F_.col(t)); }
   TurnedTriangle turned(int t) const { return {corners(t), turns_[t]}; }
   bool has_area(int t) const { return t >= 0 && turns_[t] != 0; }
-  // Does the sheet end at this edge of a triangle with area, or turn over?
+  // Whether the sheet ends or turns over at edge k of a triangle with area.
   bool rim(int k, int t) const {
     return neighbours_(k, t) < 0 || turns_[neighbours_(k, t)] != turns_[t];
   }
@@ -107,18 +106,18 @@ class Search {
   const Eigen::Matrix3Xi& neighbours_;
   const Eigen::Matrix2Xd& V_;
   const Eigen::Index most_pairs_;
-  std::vector<std::int8_t> turns_;  // 0: without area
-  PairTable index_;                 // in pairs
+  std::vector<std::int8_t> turns_;  // the sign of each triangle's orientation, 0 without area
+  PairTable index_;                 // of each pair in result_.pairs
   Overlaps result_;
 };
 
-// Neighbours that turn alike lie on the two sides of their edge.
+// Neighbours of the same orientation lie on different sides of their edge and do not overlap.
 bool Search::apart_at_once(int a, int b) const {
   return turns_[a] == turns_[b] && (neighbours_.col(a).array() == b).any();
 }
 
-// All pairs in which one of the two has an edge at which its sheet ends or turns over; each region
-// has one.
+// All overlapping pairs of which a triangle has an edge where its sheet ends or turns over. Every
+// region contains such a pair.
 std::vector<Search::Seed> Search::pairs_at_rims() const {
   std::vector<Box> all, with_rim;
   for (int t = 0; t < F_.cols(); ++t) {
@@ -141,7 +140,7 @@ std::vector<Search::Seed> Search::pairs_at_rims() const {
   return seeds;
 }
 
-// The region that holds a pair, if it is not there yet.
+// Adds the region that contains a pair, unless that pair is known already.
 void Search::grow(int a, int b) {
   if (index_.find(a, b) != PairTable::kNone) return;
   const int first = static_cast<int>(result_.pairs.size());
@@ -173,7 +172,8 @@ void Search::go_on(int a, int b, const MutualSides& sides) {
   }
 }
 
-// Where edges lie on each other, both are crossed at once, but for folds.
+// Where two edges lie on each other, a step crosses both. A fold is crossed alone, because its two
+// triangles lie on the same side of the edge.
 void Search::go_along(int a, int b, int i, int j) {
   if (!share_a_length(V_.col(F_(i, a)), V_.col(F_((i + 1) % 3, a)), V_.col(F_(j, b)),
                       V_.col(F_((j + 1) % 3, b))))

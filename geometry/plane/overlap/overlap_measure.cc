@@ -13,7 +13,7 @@ double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
   return u[0] * v[1] - u[1] * v[0];
 }
 
-// A triangle with a depth at each corner, linear in between.
+// A triangle with a depth at each corner. The depth is linear in between.
 struct Slope {
   TurnedTriangle triangle;
   Eigen::Vector3d depth;
@@ -24,7 +24,7 @@ struct Slope {
     triangle.turn = turn(c.col(0), c.col(1), c.col(2));
   }
 
-  // Never beyond the corners' depths, however thin the triangle.
+  // The result is in the range of the corners' depths, however thin the triangle is.
   double at(const Eigen::Vector2d& place) const {
     Eigen::Vector3d b;
     for (int k = 0; k < 3; ++k) {
@@ -36,7 +36,7 @@ struct Slope {
   }
 };
 
-// The area where `a` is in front of `b`, of that which both cover.
+// The area where `a` is in front of `b`. `both` is the area that both cover.
 double area_in_front(const Slope& a, const Slope& b, double both) {
   const double a_least = a.depth.minCoeff(), a_most = a.depth.maxCoeff();
   const double b_least = b.depth.minCoeff(), b_most = b.depth.maxCoeff();

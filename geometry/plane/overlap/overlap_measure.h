@@ -6,27 +6,27 @@
 
 namespace deformlab {
 
-/// How much of where a shape overlaps itself shows two sheets running through each other.
+/// How much the sheets of a shape that overlaps itself run through each other.
 struct Interpenetration {
   double overlap = 0;  ///< area of all regions [length²]
-  double area = 0;     ///< of it, where the sheet is in front that is so in less of its region
-  double worst = 0;    ///< greatest share of a region where that is so, 0 … ½
-  /// Of all overlap, 0 … ½; 0 where nothing overlaps.
+  double area = 0;   ///< part of it where the sheet is in front that is behind in most of a region
+  double worst = 0;  ///< greatest share of that part in the area of a region, 0 … ½
+  /// The share of `area` in `overlap`, 0 … ½, or 0 where nothing overlaps.
   double share() const { return overlap > 0 ? area / overlap : 0; }
 };
 
-/// Depths at the corners of each triangle, 3×#F, from one a vertex (#V): linear in between.
-/// Throws InputError where F names a vertex that has none.
+/// The depths at the corners of each triangle (3×#F) for one depth per vertex (#V). Throws
+/// InputError where F names a vertex that has none.
 Eigen::Matrix3Xd vertex_depths(const Eigen::Matrix3Xi& F, const Eigen::VectorXd& depth);
 
-/// The same from one a triangle (#F), constant on it.
+/// The depths at the corners of each triangle (3×#F) for one depth per triangle (#F).
 Eigen::Matrix3Xd triangle_depths(const Eigen::VectorXd& depth);
 
-/// Measures depths at the corners (3×#F, higher is nearer) on a deformed mesh and what overlaps in
-/// it, exactly but for rounding, and 0 exactly where one sheet of every region is wholly in front.
-/// Where depths are equal each sheet has half of the area. Regions count whether another sheet
-/// hides them or not; a twisted one as far as its pairs tell. Throws InputError where sizes do not
-/// fit together or a depth is not finite.
+/// Measures how far sheets run through each other in the overlaps of a deformed mesh. `depth` is at
+/// the corners of each triangle (3×#F), linear in between, and higher is nearer. The result is
+/// exact except for rounding, and exactly 0 where one sheet of every region is wholly in front.
+/// Where depths are equal, each sheet gets half of the area. Regions that another sheet hides count
+/// too. Throws InputError where sizes do not fit together or a depth is not finite.
 Interpenetration interpenetration(const Triangulation& deformed, const Overlaps& overlaps,
                                   const Eigen::Matrix3Xd& depth);
 

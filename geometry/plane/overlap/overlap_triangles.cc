@@ -17,13 +17,13 @@ double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
 }  // namespace
 
 int turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  // What neighbours share would be too much for the filter, and exact arithmetic is slow.
+  // Corners that neighbours share would need exact arithmetic, which is slow.
   if (a == b || b == c || c == a) return 0;
   return CGAL::orientation(Kernel::Point_2(a[0], a[1]), Kernel::Point_2(b[0], b[1]),
                            Kernel::Point_2(c[0], c[1]));
 }
 
-// False where one of the edges has all corners of the other triangle outside or on it.
+// Returns false where all corners of the other triangle are outside an edge or on it.
 bool MutualSides::sides_of(const TurnedTriangle& from, const TurnedTriangle& of,
                            std::array<Sides, 3>& sides) {
   for (int i = 0; i < 3; ++i) {
@@ -36,7 +36,7 @@ bool MutualSides::sides_of(const TurnedTriangle& from, const TurnedTriangle& of,
   return true;
 }
 
-// Two convex sets that have no inner point in common are parted by an edge of one of them.
+// Two triangles without a common inner point are separated by an edge of one of them.
 std::optional<MutualSides> MutualSides::of_overlapping(const TurnedTriangle& a,
                                                        const TurnedTriangle& b) {
   MutualSides sides;

@@ -9,36 +9,37 @@ namespace deformlab {
 
 using TriangleCorners = Eigen::Matrix<double, 2, 3>;
 
-/// A convex polygon, 2×n corners. Three corners that are clipped four times are thirteen at most,
+/// A convex polygon, 2×n corners. A triangle that is clipped four times has at most 13 corners,
 /// even where rounding bends an edge.
 using ConvexPolygon = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 13>;
 using ConvexPolygonValues = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 13, 1>;
 
-/// +1 where a, b, c turn from x to y, −1 the other way, 0 where they are on one line; exact.
+/// The exact sign of the orientation of a, b, c: +1 where they turn from x to y, 0 where they are
+/// on one line.
 int turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 
-/// A triangle and the way it turns, which is not 0.
+/// A triangle and the sign of its orientation, which is not 0.
 struct TurnedTriangle {
   TriangleCorners corners;
   int turn;
 };
 
-/// How two triangles a and b lie to each other, by exact signs. Edge i runs from corner i to the
-/// next.
+/// The relative position of two overlapping triangles a and b, by exact signs. Edge i runs from
+/// corner i to the next one.
 class MutualSides {
  public:
-  /// Nothing where the triangles have no area in common.
+  /// Returns nothing where the triangles have no area in common.
   static std::optional<MutualSides> of_overlapping(const TurnedTriangle& a,
                                                    const TurnedTriangle& b);
-  /// Does edge i of a run through the inside of b?
+  /// Whether edge i of a runs through the inside of b.
   bool a_enters(int i) const { return enters(b_of_a_[i], a_of_b_, i); }
-  /// Does edge j of b run through the inside of a?
+  /// Whether edge j of b runs through the inside of a.
   bool b_enters(int j) const { return enters(a_of_b_[j], b_of_a_, j); }
-  /// Does edge i of a cross edge j of b, at one place that is the end of neither?
+  /// Whether edge i of a crosses edge j of b at one point that is an end of neither.
   bool cross(int i, int j) const {
     return b_of_a_[i][j] * b_of_a_[i][next(j)] < 0 && a_of_b_[j][i] * a_of_b_[j][next(i)] < 0;
   }
-  /// Is edge i of a on one line with edge j of b?
+  /// Whether edge i of a is on one line with edge j of b.
   bool on_one_line(int i, int j) const { return b_of_a_[i][j] == 0 && b_of_a_[i][next(j)] == 0; }
 
  private:
@@ -48,22 +49,21 @@ class MutualSides {
                        std::array<Sides, 3>& sides);
   static bool enters(const Sides& others, const std::array<Sides, 3>& other_edges, int i);
 
-  std::array<Sides, 3> b_of_a_;  ///< [i][j]: corner j of b lies inside (+1) edge i of a, on it (0)
-  std::array<Sides, 3> a_of_b_;  ///< [j][i]: corner i of a, of edge j of b
+  std::array<Sides, 3> b_of_a_;  ///< [i][j]: +1 where corner j of b is inside edge i of a, 0 on it
+  std::array<Sides, 3> a_of_b_;  ///< [j][i]: +1 where corner i of a is inside edge j of b, 0 on it
 };
 
-/// Do the segments, which lie on one line, share more than a point?
+/// Whether the segments ab and cd, which lie on one line, share more than a point.
 bool share_a_length(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
                     const Eigen::Vector2d& d);
 
-/// What is left of a polygon where a function that is linear on it, and has these values (#n) at
-/// its corners, is at least 0.
+/// The part of a polygon where a linear function with these values (n) at its corners is ≥ 0.
 ConvexPolygon clipped(const ConvexPolygon& polygon, const ConvexPolygonValues& values);
 
-/// What both triangles cover, turning as a does.
+/// The area that both triangles cover, with the orientation of a.
 ConvexPolygon intersection(const TurnedTriangle& a, const TurnedTriangle& b);
 
-/// Its area, whichever way it turns [length²].
+/// The area of a polygon of either orientation [length²].
 double convex_area(const ConvexPolygon& polygon);
 
 }  // namespace deformlab
