@@ -7,9 +7,9 @@
 
 namespace deformlab {
 
-/// The sets into which joined elements 0 … n − 1 fall (union–find with path halving). The smallest
-/// element of a set is its root, so that what is numbered by roots does not depend on the order in
-/// which elements were joined; that is why Boost's disjoint_sets, which link by rank, do not serve.
+/// The sets of elements 0 … n − 1 that have been joined (union–find with path halving). The
+/// smallest element of a set is its root, so that the roots do not depend on the order of the
+/// joins. Boost's disjoint_sets, which link by rank, do not provide that.
 class DisjointSets {
  public:
   /// n sets of one element each.

@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// Something the user gave cannot be used. The message says what it is, its value, what is allowed
-/// and how to mend it, in one line that can be shown as it stands.
+/// An input of the user cannot be used. The message is one line for the user: it says what the
+/// input is, its value, what is allowed and how to correct it.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

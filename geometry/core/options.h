@@ -45,7 +45,7 @@ struct Range {
 
 /// The value of an option cannot be used. Code that reads an options struct names the field as it
 /// is called in that struct. Code that owns the struct as a member adds the member's name, by
-/// `inside_option`, so that at the top stands the path of the field: "graph.nodes".
+/// `inside_option`, so that the error finally names the path of the field: "graph.nodes".
 class OptionError : public InputError {
  public:
   /// The message is "FIELD is VALUE" and the explanation, which begins with "; " or ", ".
@@ -70,16 +70,16 @@ decltype(auto) inside_option(std::string_view owner, Action&& action) {
   }
 }
 
-/// What an options struct says about one field.
+/// The description of one field of an options struct.
 struct Field {
   const char* name;
   const char* meaning;
   Range range = {};                     ///< of a number, or of each number in a container
-  std::vector<std::string> names = {};  ///< that a std::string may be; empty: any
+  std::vector<std::string> names = {};  ///< allowed values of a std::string; empty allows all
   bool required = false;                ///< a config must give it
 };
 
-/// Base of what `fields` is shown. Every form ends in derived.field(Field, value).
+/// Base class of visitors of `fields`. All of its functions call derived.field(Field, value).
 template <class Derived>
 class FieldVisitor {
  public:
@@ -91,7 +91,8 @@ class FieldVisitor {
   void range(const char* name, T& value, const Range& range, const char* meaning) {
     self().field({name, meaning, range}, value);
   }
-  /// A text that is one of an open set of names. A closed set is an enumeration and needs no form.
+  /// A text that is one of an open set of names. A closed set is an enumeration, which operator()
+  /// accepts.
   template <class T>
   void choice(const char* name, T& value, std::vector<std::string> names, const char* meaning) {
     self().field({name, meaning, {}, std::move(names)}, value);
@@ -131,7 +132,7 @@ inline constexpr bool kIsVector = false;
 template <class E>
 inline constexpr bool kIsVector<std::vector<E>> = true;
 
-/// The same for the value of one field.
+/// Checks the value of one field in the same way.
 template <class T>
 void check_value(const Field& field, const std::string& name, const T& value) {
   if constexpr (std::integral<T> || std::floating_point<T>) {

@@ -7,15 +7,16 @@
 
 namespace deformlab {
 
-/// Numbers by pairs of triangles, whichever of the two comes first. Open addressing: an update of
-/// the depths asks for hundreds of thousands.
+/// A hash table from unordered pairs of triangles to numbers. Open addressing makes it fast,
+/// because one update of the depths looks up hundreds of thousands of pairs.
 class PairTable {
  public:
   static constexpr int kNone = -1;
 
-  /// The number of the pair, or kNone.
+  /// The number of the pair, or kNone where it has none.
   int find(int a, int b) const { return slots_.empty() ? kNone : slots_[place(key(a, b))].number; }
-  /// The number that the pair has already; or kNone, and now it has `number` (0 …).
+  /// The number that the pair already has. Where it has none, gives it `number` (≥ 0) and returns
+  /// kNone.
   int enter(int a, int b, int number) {
     if (2 * count_ >= slots_.size()) grow();
     Slot& slot = slots_[place(key(a, b))];
@@ -39,7 +40,8 @@ class PairTable {
     const auto [low, high] = a < b ? std::pair(a, b) : std::pair(b, a);
     return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
   }
-  // That of the key, or where it belongs. There are 2ⁿ slots, never more than half of them taken.
+  // The slot of the key, or the free one where it belongs. There are 2ⁿ slots, at least half of
+  // them free.
   std::size_t place(std::uint64_t of) const {
     std::uint64_t mixed = of * 0x9E3779B97F4A7C15;
     mixed ^= mixed >> 32;

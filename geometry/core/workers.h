@@ -8,15 +8,15 @@
 
 namespace deformlab {
 
-/// Threads that share out pieces of work. What the pieces are must not depend on how many threads
-/// there are: then the results do not either. With one thread it is a loop that allocates nothing.
+/// Threads that share pieces of work. The pieces must not depend on the number of threads, so that
+/// results do not depend on it either. With one thread a call is a loop that allocates nothing.
 class Workers {
  public:
   explicit Workers(int threads = 1) : threads_(threads), arena_(std::max(threads, 1)) {}
 
   int threads() const { return threads_; }
 
-  /// Calls work(0) … work(count − 1), each once, in no particular order. The calls must not depend
+  /// Calls work(0) … work(count − 1) once each, in no particular order. The calls must not depend
   /// on each other.
   template <class Work>
   void each(int count, const Work& work) {
@@ -32,11 +32,11 @@ class Workers {
   tbb::task_arena arena_;
 };
 
-/// Calls work(begin, end) for consecutive pieces of 0 … count − 1, one a thread where they are long
-/// enough. The pieces must not depend on each other.
+/// Calls work(begin, end) for consecutive pieces of 0 … count − 1: one piece per thread, or fewer
+/// where pieces would be short. The result for an element must not depend on the division.
 template <class Work>
 void for_chunks(std::ptrdiff_t count, int threads, const Work& work) {
-  constexpr std::ptrdiff_t kFewest = 4096;  // not worth a thread
+  constexpr std::ptrdiff_t kFewest = 4096;  // a shorter piece is not worth a thread
   const auto pieces =
       static_cast<int>(std::clamp<std::ptrdiff_t>(count / kFewest, 1, std::max(threads, 1)));
   if (pieces == 1) return work(std::ptrdiff_t{0}, count);

@@ -5,14 +5,14 @@
 
 namespace deformlab {
 
-/// What the user holds of a shape (Sumner et al. 2007, section 4; Igarashi et al. 2005, section 3).
-/// Where it goes is not here: targets change with every update, handles only with a compilation.
+/// The handles of a shape (Sumner et al. 2007, section 4; Igarashi et al. 2005, section 3). They
+/// contain no targets, because targets change with every update, handles only with a compilation.
 struct Handles {
-  std::vector<int> fixed;  ///< vertices that stay: nodes that influence one are held at rest
-  std::vector<int> moved;  ///< vertices that move, index(l) of Eq. 8, in the order of the targets
-  /// 3×p places inside the shape that need be no vertices [length]; their targets follow those of
-  /// `moved`. Of a drawing z is 0. Where a graph has cuts or distances along a surface, a place
-  /// follows the nodes of the vertex nearest to it.
+  std::vector<int> fixed;  ///< vertices that stay; the nodes that influence them stay at rest
+  std::vector<int> moved;  ///< vertices with targets, index(l) of Eq. 8, in the targets' order
+  /// 3×p points inside the shape that need not be vertices [length]; z is 0 in a drawing. Their
+  /// targets follow those of `moved`. Where a graph has cuts or distances along the surface, a
+  /// point follows the nodes of the nearest vertex.
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd(3, 0);
 
   Eigen::Index targets() const { return static_cast<Eigen::Index>(moved.size()) + points.cols(); }

@@ -23,7 +23,7 @@ void check_finite(const Eigen::Matrix3Xd& columns, const char* kind, const std::
   }
 }
 
-// Areas and energies hold the fourth power of a length: it must not leave the range of a double.
+// The fourth power of a length, which occurs in areas and energies, must be in a double's range.
 void check_scale(const Eigen::Matrix3Xd& V, const std::string& name) {
   const double across = bounding_box_diagonal(V);
   const double farthest = V.cwiseAbs().maxCoeff();

@@ -6,25 +6,25 @@
 
 namespace deformlab {
 
-/// Anything that is given by points in space: a mesh, a polygon soup, a point set.
-/// No connectivity is assumed: faces may be missing, repeated, non-manifold, of any size.
+/// A mesh, a polygon soup or a point set. No connectivity is assumed: faces may be missing,
+/// repeated, non-manifold and of any size.
 struct Shape {
   Eigen::Matrix3Xd V;                   ///< 3×#V positions v_i [length], in the file's order
   Eigen::Matrix3Xd N;                   ///< 3×#V unit normals n_i, or 3×0 where there are none
-  std::vector<std::vector<int>> faces;  ///< polygons as lists of vertex indices; empty: a point set
+  std::vector<std::vector<int>> faces;  ///< vertex indices of each polygon; none in a point set
 };
 
-/// Least and greatest extent of a shape that can be computed with [length].
+/// The extents of a shape [length] for which computations stay in the range of a double.
 inline constexpr double kLeastLength = 1e-50, kMostLength = 1e50;
 
-/// Throws InputError where the shape has no vertices, a coordinate is NaN or infinite (naming the
-/// vertex), its extent is neither 0 nor in the range above, a face names a vertex that does not
-/// exist, or N is neither empty nor 3×#V. `name` is what the message calls the shape, usually its
-/// path.
+/// Throws InputError where the shape has no vertices, a coordinate is not finite or is beyond
+/// ±kMostLength, the extent is neither 0 nor in the range above, a face names a vertex that does
+/// not exist, or N is neither empty nor 3×#V. `name` is what the message calls the shape, usually
+/// its path.
 void check(const Shape& shape, const std::string& name);
 
-/// The faces cut into triangles, as fans around each face's first corner: 3×#T vertex indices.
-/// Faces of fewer than three corners give none.
+/// The vertex indices (3×#T) of the faces cut into triangles, which form a fan around each face's
+/// first corner. Faces of fewer than three corners give none.
 Eigen::Matrix3Xi triangles(const Shape& shape);
 
 /// 3×#V unit normals: the area-weighted mean of the triangles around each vertex. A vertex without
