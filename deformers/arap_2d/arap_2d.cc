@@ -14,7 +14,7 @@
 namespace deformlab {
 namespace {
 
-// A point this far outside still counts as inside, because of rounding [extent of the shape].
+// Because of rounding a point this far outside counts as inside [extent of the shape].
 constexpr double kOutside = 1e-9;
 constexpr double kAtCorner = 1e-12;  // smaller barycentric coordinates count as 0
 

@@ -12,9 +12,8 @@
 
 namespace deformlab {
 
-/// How the two steps are computed. kClosedForm: all that does not depend on the targets is computed
-/// before (ClosedFormSteps). kGeneralSolver: the same two steps are minimised by a general solver
-/// (GeneralSteps), to compare with.
+/// How the two steps are computed: in closed form (ClosedFormSteps), or by a general solver that
+/// minimises the same two steps (GeneralSteps), for comparison.
 enum class TwoStepMethod { kClosedForm, kGeneralSolver };
 constexpr auto names_of(TwoStepMethod) {
   using enum TwoStepMethod;
@@ -26,10 +25,10 @@ constexpr auto names_of(TwoStepMethod) {
 struct Arap2dOptions {
   TwoStepMethod steps = TwoStepMethod::kClosedForm;
   /// How often step two is repeated with rotations that are fitted to its own result. The paper
-  /// does not repeat it; many repetitions come to the minimum of the as-rigid-as-possible energy.
+  /// does not repeat it. Many repetitions reach a minimum of the as-rigid-as-possible energy.
   int refinements = 0;
-  /// Of kGeneralSolver. Ceres' dogleg begins with a full step, which solves a linear problem at
-  /// once.
+  /// The options of kGeneralSolver. Ceres' dogleg begins with a full step, which solves a linear
+  /// problem at once.
   SolverOptions solver = {.ceres_trust_region = CeresTrustRegion::kDogleg, .epsilon = 1e-14};
 
   template <class Self, class Visit>
@@ -51,7 +50,7 @@ struct Arap2dOptions {
 class Arap2d final : public Deformer {
  public:
   /// Registration.
-  ///   weights  #F, the stiffness of each triangle (section 5.2), positive; or empty for all 1
+  ///   weights  #F, the positive stiffness of each triangle (section 5.2); empty means 1 for all
   /// Throws InputError for a mesh or weights that the method cannot use (check_rest_mesh), and for
   /// options out of range.
   Arap2d(const Triangulation& rest, const Eigen::VectorXd& weights, const Arap2dOptions& options);
@@ -79,8 +78,8 @@ class Arap2d final : public Deformer {
   Triangulation rest_;
   Locator locate_;
   std::unique_ptr<TwoStepSolver> steps_;
-  std::vector<BarycentricPoint> points_;  // of the handles: fixed vertices, moved ones, then points
-  Eigen::Index fixed_ = 0;                // how many of them are fixed
+  std::vector<BarycentricPoint> points_;  // the handles: fixed vertices, moved ones, then points
+  Eigen::Index fixed_ = 0;                // the number of fixed vertices
   Eigen::Matrix2Xd targets_;              // 2×#points [length]
   Shape deformed_;
   std::map<std::string, double> seconds_;

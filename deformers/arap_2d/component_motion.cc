@@ -8,8 +8,8 @@
 namespace deformlab {
 namespace {
 
-constexpr double kSamePosition = 1e-9;  // distance, as a share of the extent
-constexpr int kMostNamed = 5;           // components
+constexpr double kSamePosition = 1e-9;  // a smaller distance counts as 0 [extent]
+constexpr int kMostNamed = 5;           // further components are only counted
 
 }  // namespace
 

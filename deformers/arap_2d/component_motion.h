@@ -18,8 +18,8 @@ enum class ComponentMotion {
 
 ComponentMotion motion_of(bool has_handles, bool handles_are_distinct);
 
-/// Whether the points are not all at one position of the rest positions p (#V), up to 1e-9 of their
-/// extent.
+/// Whether the points are at two positions or more when the vertices are at rest at p (#V). A
+/// distance of less than 1e-9 of the extent counts as 0.
 bool are_distinct(const std::vector<BarycentricPoint>& points, const Eigen::VectorXcd& p);
 
 /// Gathers what a user should know about components that cannot deform. The first few are named,

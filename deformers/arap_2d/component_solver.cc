@@ -8,7 +8,7 @@
 namespace deformlab {
 namespace {
 
-// Up to so many conditions, Schur complements are cheaper than eliminating them.
+// Up to this number of conditions, Schur complements are cheaper than elimination.
 constexpr int kFewConditions = 16;
 
 Triangulation submesh(const Triangulation& mesh, const MeshComponent& component) {
@@ -52,7 +52,7 @@ void ComponentSolver::compile(const std::vector<BarycentricPoint>& points) {
                                    : make_elimination_system(*mesh_, handles);
 }
 
-// The rest shape, moved by the mean distance of the handles to their targets.
+// The rest shape, translated by the mean displacement of the handles.
 Eigen::VectorXcd ComponentSolver::translated() const {
   std::complex<double> sum = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) sum += q_[i] - points_[i](mesh_->p);

@@ -44,10 +44,10 @@ class ComponentSolver {
 
   MeshComponent component_;
   std::unique_ptr<RegisteredMesh> mesh_;  // on the heap, because system_ refers to it
-  std::vector<int> vertex_;  // of the whole mesh, for each vertex in the registered mesh's order
+  std::vector<int> vertex_;  // vertices of the whole mesh in the registered mesh's order
   ComponentMotion motion_ = ComponentMotion::kNone;
-  std::vector<int> target_;               // the column of the targets of each of its handles
-  std::vector<BarycentricPoint> points_;  // of its handles, in the registered mesh's order
+  std::vector<int> target_;               // the column of each handle's target
+  std::vector<BarycentricPoint> points_;  // its handles, with the registered mesh's vertices
   std::unique_ptr<HandleSystem> system_;  // null for a component that only translates or rests
   // Targets q_ and positions z_ are relative to origin_, the first target. So they are exactly 0
   // where all targets are one point.

@@ -10,7 +10,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kHingeWeight = 1e-3;  // as a share of the lesser weight of the two triangles
+constexpr double kHingeWeight = 1e-3;  // relative to the lesser weight of the two triangles
 
 // Triangles that are connected by shared edges have the same root.
 DisjointSets sets_by_shared_edges(const Triangulation& mesh) {
@@ -30,8 +30,8 @@ std::array<int, 2> corners_besides(int v, const Eigen::Vector3i& corners) {
   return {corners[(c + 1) % 3], corners[(c + 2) % 3]};
 }
 
-// The triangle of v and one more corner of each of f and g, which share v alone. Of the four
-// choices it takes the one with the longest edge between the two.
+// The triangle of v and one more corner of each of f and g, which share only v. Of the four choices
+// it is the one with the longest edge opposite to v.
 Eigen::Vector3i hinge_between(int f, int g, int v, const Triangulation& mesh) {
   Eigen::Vector3i best;
   double longest = -1;
@@ -76,7 +76,7 @@ std::vector<int> points_inside(const MeshComponent& component,
 
 Hinges hinges(const Triangulation& mesh, const Eigen::VectorXd& weights) {
   DisjointSets sets = sets_by_shared_edges(mesh);
-  std::vector<int> at_vertex(mesh.V.cols(), -1);  // the last triangle that was seen there
+  std::vector<int> at_vertex(mesh.V.cols(), -1);  // the last triangle so far at each vertex
   std::vector<Eigen::Vector3i> F;
   std::vector<double> w;
   for (int f = 0; f < mesh.F.cols(); ++f) {

@@ -8,8 +8,7 @@
 
 namespace deformlab {
 
-/// A part of a mesh that shares no vertex with the rest: indices of its vertices and triangles,
-/// ascending.
+/// A part of a mesh that shares no vertex with the rest. Indices are ascending.
 struct MeshComponent {
   std::vector<int> vertices, triangles;
 
@@ -19,7 +18,7 @@ struct MeshComponent {
 /// The connected components of a mesh, in the order of their first vertices.
 std::vector<MeshComponent> components(const Triangulation& mesh);
 
-/// The indices of those points that lie in the component, ascending.
+/// The ascending indices of the points that lie in the component.
 std::vector<int> points_inside(const MeshComponent& component,
                                const std::vector<BarycentricPoint>& points);
 
@@ -31,7 +30,7 @@ struct Hinges {
   Eigen::VectorXd weights;  ///< #hinges
 };
 
-///   weights  #F, the weights of the mesh's triangles
+/// Finds the hinges of a mesh. `weights` (#F) are the weights of its triangles.
 Hinges hinges(const Triangulation& mesh, const Eigen::VectorXd& weights);
 
 }  // namespace deformlab

@@ -11,8 +11,8 @@ using Eigen::VectorXcd;
 template <class Scalar>
 using Sparse = Eigen::SparseMatrix<Scalar>;
 
-// V of v = V y, n×n: it has the clusters' V in the rows and columns of their vertices, and is the
-// identity elsewhere. Each entry of y is either prescribed by the handles or free.
+// The n×n matrix V of v = V y. It contains the clusters' V in the rows and columns of their
+// vertices, and is the identity elsewhere. Entries of y are prescribed by handles or free.
 Sparse<double> change_of_basis(const MeshHandles& handles, Eigen::Index n) {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<char> clustered(n, 0);
@@ -66,7 +66,7 @@ class EliminatedSystem {
 
  private:
   PanelCholesky<Scalar> factor_;
-  Sparse<Scalar> coupling_;  // of free rows to prescribed columns
+  Sparse<Scalar> coupling_;  // the entries in free rows and prescribed columns
 };
 
 class EliminationSystem final : public HandleSystem {
@@ -150,7 +150,7 @@ class EliminationSystem final : public HandleSystem {
 
   bool distinct_;
   std::vector<Single> single_;
-  std::vector<HandleCluster> clusters_;  // all others
+  std::vector<HandleCluster> clusters_;  // all other clusters
   EliminatedSystem<Complex> G_;
   EliminatedSystem<double> H_;
   VectorXcd z_, scratch_;

@@ -16,8 +16,8 @@ namespace {
 
 // The weight of a point_constraint, as a multiple of the greatest weight of a triangle.
 constexpr double kConstraintWeight = 1e4;
-constexpr int kMostShifts = 50;      // of the targets, at most
-constexpr double kSettled = 1e-12;   // the shifts end when gaps change by less [mean edge]
+constexpr int kMostShifts = 50;      // the greatest number of shifts of the targets
+constexpr double kSettled = 1e-12;   // shifts end when gaps change by less than this [mean edge]
 constexpr double kCollapsed = 1e-8;  // a shorter fitted edge has no direction [its length at rest]
 
 template <class Term>
@@ -48,7 +48,7 @@ BarycentricPoint in_triangle(const BarycentricPoint& point, const Triangulation&
       if (f[c] == point.vertices[0]) return {f, Eigen::Vector3d::Unit(c)};
     }
   }
-  return point;  // does not happen: check_rest_mesh refuses vertices without a triangle
+  return point;  // unreachable, because check_rest_mesh refuses vertices without a triangle
 }
 
 Eigen::VectorXcd all_to_complex(const Eigen::Matrix2Xd& V) {
@@ -161,7 +161,7 @@ void GeneralSteps::translate_components(const Eigen::Matrix2Xd& q) {
   }
 }
 
-// Adds what the step's solver did to the summary of the update. The first failure remains.
+// Solves a step and adds its summary to that of the update, where the first failure remains.
 void GeneralSteps::solve(Step& step) {
   Summary summary = step.solver->solve(step.problem);
   for (const auto& [term, cost] : summary.cost_by_term) summary_.cost_by_term[term] = cost;
@@ -191,7 +191,7 @@ void GeneralSteps::solve_with_handles(Step& step, const Eigen::Matrix2Xd& q) {
   }
 }
 
-// Eq. 9–11 and the scaling after them. Of each fitted triangle only the direction of its first edge
+// Eq. 9–11 and the scaling after them. Only the direction of the first edge of each fitted triangle
 // is needed.
 void GeneralSteps::fit(const Eigen::MatrixXd& intermediate) {
   fitting_.problem.terms.front().energy->set_targets(intermediate);

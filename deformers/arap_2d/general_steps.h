@@ -12,8 +12,8 @@
 namespace deformlab {
 
 /// The two steps of Igarashi et al. 2005 as they are printed: three problems of registered terms
-/// (similarity, then fitting, then edge_fit), each of which a general solver minimises. This is
-/// many times slower than ClosedFormSteps and independent of it, so that one can verify the other.
+/// (similarity, then fitting, then edge_fit), which a general solver minimises one after another.
+/// This is many times slower than ClosedFormSteps. As it is independent, each verifies the other.
 ///
 /// A handle at a vertex is eliminated. Another handle, or one that shares a triangle with others,
 /// is a point_constraint. Its target is shifted until the point itself meets the target (the method
@@ -44,7 +44,7 @@ class GeneralSteps final : public TwoStepSolver {
     int vertex;
     std::vector<int> handles;
   };
-  // A component that cannot deform and is translated, or rests where it has no handle.
+  // A component that cannot deform. It is translated, or stays at rest where it has no handle.
   struct TranslatedComponent {
     std::vector<int> vertices, handles;
     Eigen::Vector2d center;  // the mean of its handles at rest [mean edge]
@@ -61,7 +61,7 @@ class GeneralSteps final : public TwoStepSolver {
   void fit(const Eigen::MatrixXd& intermediate);
   void solve(Step& step);
 
-  double unit_;             // the mean edge [length]; all that follows but V_ is in this unit
+  double unit_;             // the mean edge [length], the unit of all but origin_ and V_
   Eigen::Vector2d origin_;  // the mean of the vertices [length]
   Triangulation mesh_;      // at rest, relative to origin_
   Eigen::VectorXd weights_;
@@ -72,11 +72,11 @@ class GeneralSteps final : public TwoStepSolver {
   std::vector<char> fixed_;  // #V, the vertices that are eliminated from both steps
   std::vector<VertexHandles> vertex_handles_;
   std::vector<TranslatedComponent> translated_;
-  std::vector<BarycentricPoint> points_;  // of the handles that are constraints
-  std::vector<int> target_;               // the column of the targets of each of points_
+  std::vector<BarycentricPoint> points_;  // the handles that are constraints
+  std::vector<int> target_;               // the column of the target of each of points_
 
   Eigen::VectorXcd R_;        // #F rotations of the fitted triangles
-  Eigen::Matrix2Xd corners_;  // 2×3·#F of the fitted triangles
+  Eigen::Matrix2Xd corners_;  // 2×3·#F corners of the fitted triangles
   Eigen::Matrix2Xd V_;        // the result [length]
   Summary summary_;
 };

@@ -8,9 +8,9 @@
 namespace deformlab {
 namespace {
 
-constexpr double kLeastSingularValue = 1e-6;  // of C; smaller ones count as 0
+constexpr double kLeastSingularValue = 1e-6;  // smaller singular values of C count as 0
 
-// The number of each point's cluster: points that share vertices are in one.
+// The number of each point's cluster. Points that share vertices are in the same cluster.
 std::vector<int> number_clusters(const std::vector<BarycentricPoint>& points,
                                  Eigen::Index vertices) {
   DisjointSets sets(std::ssize(points));

@@ -7,17 +7,16 @@
 
 namespace deformlab {
 
-/// Handles that share vertices, and so have to be considered together. Their barycentric
-/// coordinates over the vertices of all of them are the rows of C = U Σ Vᵀ.
+/// Handles that share vertices, and therefore depend on each other. Their barycentric coordinates
+/// over the vertices of all of them are the rows of C = U Σ Vᵀ.
 struct HandleCluster {
   std::vector<int> points;    ///< the handles, as indices of the barycentric points
   std::vector<int> vertices;  ///< the columns of C, as indices of vertices
-  /// V, #vertices × #vertices: the first rank() columns are the combinations of vertices that the
-  /// handles prescribe, the others those that stay free.
+  /// V, #vertices × #vertices. Handles prescribe the combinations of vertices in the first rank()
+  /// columns, and those in the other columns are free.
   Eigen::MatrixXd V;
-  /// Σ⁺Uᵀ, rank() × #points: from the targets of the handles to the prescribed combinations that
-  /// meet them. Where there are more handles than combinations, they meet them in the
-  /// least-squares sense.
+  /// Σ⁺Uᵀ, rank() × #points, maps the targets of the handles to the prescribed combinations. More
+  /// handles than combinations meet their targets in the least-squares sense.
   Eigen::MatrixXd from_targets;
 
   Eigen::Index rank() const { return from_targets.rows(); }

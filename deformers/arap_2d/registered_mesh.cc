@@ -9,10 +9,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kFewVertices = 16;  // up to so many, the order does not matter
+constexpr int kFewVertices = 16;  // the order of so few vertices does not matter
 
-// The sparsity pattern of H, from which the order is computed: an entry 1 wherever two vertices
-// share a triangle.
+// The sparsity pattern of H, from which the order is computed: an entry for each edge and vertex.
 SparseMatrix pattern_of_H(Eigen::Index n, const Eigen::Matrix3Xi& F) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto corners : F.colwise()) {
@@ -27,7 +26,7 @@ SparseMatrix pattern_of_H(Eigen::Index n, const Eigen::Matrix3Xi& F) {
   return result;
 }
 
-// Eq. 1–4: the errors of a triangle are e·v' / e_c for its corners c, where e has the edges
+// Eq. 1–4: the errors of a triangle are e·v' / e_c for its corners c, where e are the edges
 // opposite to the corners. The triangle adds w Σ_c 1/|e_c|² · ē eᵀ to G.
 void add_similarity(const Eigen::Vector3i& corners, const Eigen::VectorXcd& p, double w,
                     std::vector<Eigen::Triplet<Complex>>& G) {

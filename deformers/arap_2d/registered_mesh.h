@@ -11,9 +11,9 @@
 
 namespace deformlab {
 
-/// Registration (Igarashi et al. 2005, section 4.3): all that the two steps need of a connected
-/// mesh and that does not depend on handles. Its vertices are in a fill-reducing order. Positions
-/// are complex numbers x + iy. This halves the size of G, because a turn by 90° is the factor i.
+/// The registration of a connected mesh (Igarashi et al. 2005, section 4.3) computes what the two
+/// steps need and what does not depend on handles. Vertices are in a fill-reducing order. Positions
+/// are complex numbers x + iy, which halves the size of G: a rotation by 90° is the factor i.
 struct RegisteredMesh {
   ///   weights  #F, the stiffness of each triangle (section 5.2)
   /// Throws InputError where the matrices are singular in double precision.
@@ -23,16 +23,16 @@ struct RegisteredMesh {
   Eigen::VectorXi index;  ///< #V, the inverse: order[index[v]] = v
   Eigen::VectorXcd p;     ///< #V positions at rest, relative to their mean [length]
   Eigen::Matrix3Xi F;     ///< 3×#F triangles, as indices in this order
-  TriangleFit fit;        ///< of these triangles
+  TriangleFit fit;        ///< the fitting of these triangles
 
   /// The quadratic forms v'ᴴ G v' of step one (Eq. 5) and v''ᴴ H v'' of step two (Eq. 13), as lower
-  /// triangles. The null space of G holds the translations, rotations and scalings, that of H the
+  /// triangles. The null space of G contains translations, rotations and scalings, that of H only
   /// translations.
   Eigen::SparseMatrix<std::complex<double>> G;
   Eigen::SparseMatrix<double> H;
 
   /// Two vertices that are far from each other. G without both of them is regular, and so is H
-  /// without the first: these are the grounded matrices, of which the factors are kept.
+  /// without the first. These are the grounded matrices, and their factors are stored.
   std::array<int, 2> grounded;
   PanelCholesky<std::complex<double>> G_grounded;
   PanelCholesky<double> H_grounded;

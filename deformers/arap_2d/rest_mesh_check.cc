@@ -13,7 +13,7 @@
 namespace deformlab {
 namespace {
 
-// The largest weight over the least; with more contrast too few digits would be left.
+// The greatest allowed ratio of two weights. Greater ones would leave too few correct digits.
 constexpr double kMostContrast = 1e6;
 
 std::string name_of(int f, const Triangulation& mesh) {

@@ -10,13 +10,12 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::MatrixXcd, Eigen::MatrixXd, Eigen::VectorXcd;
 
-// What the handles prescribe: C v = P q.
+// The conditions C v = P q that the handles impose on the positions v.
 struct Conditions {
   Eigen::SparseMatrix<double, Eigen::RowMajor> C;  // r×n, with orthonormal rows
   MatrixXd P;                                      // r×#handles
 };
 
-// The conditions on the positions of n vertices.
 Conditions conditions_of(const MeshHandles& handles, Eigen::Index n) {
   std::vector<Eigen::Triplet<double>> entries;
   const Eigen::Index r = handles.rank();
@@ -108,7 +107,7 @@ class SchurComplementSystem final : public HandleSystem {
 
  private:
   void compile_step_one(const Conditions& conditions) {
-    const double size = mesh_.p.cwiseAbs().maxCoeff();  // gives both columns of N one scale
+    const double size = mesh_.p.cwiseAbs().maxCoeff();  // gives both columns of N the same scale
     MatrixXcd N(mesh_.p.size(), 2);
     N << VectorXcd::Ones(mesh_.p.size()), mesh_.p / size;
     Response<Complex> response(conditions, N, [this](MatrixXcd& Y) {
@@ -162,7 +161,7 @@ class SchurComplementSystem final : public HandleSystem {
   MatrixXcd Y_, to_mu_, to_tau_;
   Eigen::ArrayXXd s_re_, s_im_;
   VectorXcd mu_, tau_;
-  // Step two: v'' = z + Z λ + t. The gaps between handles and targets give λ and t by:
+  // Step two: v'' = z + Z λ + t, where λ and t are linear in the gaps between handles and targets.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Z_;
   MatrixXcd to_lambda_;
   Eigen::RowVectorXcd to_translation_;

@@ -7,11 +7,11 @@
 
 namespace deformlab {
 
-/// The fitting in closed form (Igarashi et al. 2005, section 4.2.1). Points are complex numbers
-/// x + iy, and p_c are the corners of a triangle at rest, with mean c̄. The similar triangle that
-/// fits the intermediate triangle v_c' best is the one at rest times
+/// The fitting in closed form (Igarashi et al. 2005, section 4.2.1). Points are complex numbers x +
+/// iy, and p_c are the corners of a triangle at rest, with mean c̄. The similar triangle that fits
+/// the intermediate triangle v_c' best is the triangle at rest times
 ///   s = Σ_c conj(p_c − c̄) v_c' / Σ_c |p_c − c̄|².
-/// The congruent triangle is the one at rest times the rotation R = s / |s|.
+/// The congruent triangle is the triangle at rest times the rotation R = s / |s|.
 class TriangleFit {
  public:
   TriangleFit() = default;
@@ -20,8 +20,8 @@ class TriangleFit {
   ///   weights  #F
   TriangleFit(const Eigen::VectorXcd& p, const Eigen::Matrix3Xi& F, const Eigen::VectorXd& weights);
 
-  /// s (#F) of the positions z (#V). It is linear in z, 0 where all of z is one point, and 1 for
-  /// the rest shape.
+  /// The similarities s (#F) for positions z (#V). They are linear in z, 0 where all of z is one
+  /// point, and 1 for the rest shape.
   Eigen::VectorXcd similarities(const Eigen::VectorXcd& z) const;
 
   /// Sets R from s_f = a + Σ_l (re + i im)(f, l) μ_l, where re and im are #F × #μ. A triangle that
@@ -35,15 +35,15 @@ class TriangleFit {
   /// Sets b (#V) to −f₀/2 of Eq. 16, the right-hand side of step two.
   void assemble(Eigen::VectorXcd& b) const;
 
-  /// 2×3·#F corners of the congruent triangles, each with its centre where that of the positions z
-  /// is [length].
+  /// The corners (2×3·#F) of the congruent triangles, each with the centre that its triangle has in
+  /// the positions z [length].
   Eigen::Matrix2Xd corners(const Eigen::VectorXcd& z) const;
 
   Eigen::Index size() const { return R_re_.size(); }  ///< #F
   std::complex<double> R(Eigen::Index f) const { return {R_re_[f], R_im_[f]}; }
 
  private:
-  static constexpr int kBlock = 64;  // triangles at a time, so that the compiler vectorizes
+  static constexpr int kBlock = 64;  // triangles per block, so that the compiler vectorizes loops
   struct Block {
     alignas(16) std::array<double, kBlock> re, im;
   };

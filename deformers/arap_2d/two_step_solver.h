@@ -12,15 +12,15 @@ namespace deformlab {
 
 /// The two steps of Igarashi et al. 2005, section 4: step one (similarity) finds an intermediate
 /// shape v', each of its triangles is fitted by a congruent copy of the triangle at rest, and step
-/// two (edge fit) finds the result v'' from these copies. ClosedFormSteps and GeneralSteps take the
-/// same two steps in two ways, which can be compared with each other.
+/// two (edge fit) finds the result v'' from these copies. ClosedFormSteps and GeneralSteps compute
+/// the same two steps in two ways, which can be compared with each other.
 class TwoStepSolver {
  public:
-  /// How long the parts of the last update took [s].
+  /// The times of the parts of the last update [s].
   struct Seconds {
     double step_one = 0, fit = 0, step_two = 0;
 
-    /// The same by name, with their sum as `total`.
+    /// The times by name, with their sum as `total`.
     std::map<std::string, double> by_name() const {
       return {{"step_one", step_one},
               {"fit", fit},
@@ -39,11 +39,11 @@ class TwoStepSolver {
   /// Returns to the rest shape; the handles stay.
   virtual void reset() = 0;
 
-  /// v'', 2×#V: the result of the last update [length].
+  /// The result v'' of the last update, 2×#V [length].
   virtual const Eigen::Matrix2Xd& positions() const = 0;
-  /// v', 2×#V: the result of step one in the last update (Figure 3a) [length].
+  /// The result v' of step one in the last update, 2×#V (Figure 3a) [length].
   virtual Eigen::Matrix2Xd intermediate() const = 0;
-  /// 2×3·#F: the corners of the fitted triangles (Figure 3b) [length]. They are fitted to the
+  /// The corners of the fitted triangles, 2×3·#F (Figure 3b) [length]. They are fitted to the
   /// intermediate shape or, where step two was repeated, to its last result but one.
   virtual Eigen::Matrix2Xd fitted() const = 0;
 
