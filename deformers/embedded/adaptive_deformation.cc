@@ -12,7 +12,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kNothing = 1e-20;  // F below this is what rounding leaves of it at rest
+constexpr double kNothing = 1e-20;  // a smaller F is the rounding error of a shape at rest
 
 void check(const GraphOptions& graph, const AdaptiveOptions& adaptive) {
   check_options(adaptive);
@@ -34,13 +34,13 @@ void check(const GraphOptions& graph, const AdaptiveOptions& adaptive) {
   }
 }
 
-// The options of the graph at the beginning.
+// The options with the number of nodes that the graph begins with.
 EmbeddedDeformationOptions at_start(EmbeddedDeformationOptions options, int start) {
   options.graph.nodes = start;
   return options;
 }
 
-// The report of a solve, with what those before it took.
+// Adds the costs of earlier solves to the report of a solve.
 void add(const Report& before, Report& report) {
   for (const auto& [phase, seconds] : before.seconds) report.seconds[phase] += seconds;
   for (const auto& [phase, seconds] : before.solve.seconds) report.solve.seconds[phase] += seconds;
@@ -51,12 +51,12 @@ void add(const Report& before, Report& report) {
   report.solve.cg_iterations += before.solve.cg_iterations;
 }
 
-// A vertex that may get a node. Distances only shrink as nodes are chosen, and scores with them:
-// one that was computed earlier is looked at again only when it comes to the top.
+// A vertex that may get a node. Distances and therefore scores only become smaller as nodes are
+// chosen, so that a score has to be updated only when it comes to the top of the queue.
 struct Candidate {
   double cost, distance;
   int vertex;
-  std::size_t seen = 0;  // of the chosen ones
+  std::size_t seen = 0;  // the number of chosen vertices that the distance accounts for
   double score() const { return cost * distance; }
   bool operator<(const Candidate& o) const {
     return std::pair(score(), -vertex) < std::pair(o.score(), -o.vertex);
@@ -150,7 +150,7 @@ void AdaptiveDeformation::compile(const Handles& handles) {
   handles_ = handles;
 }
 
-// How many nodes follow m: every round multiplies them alike.
+// The number of nodes after m. Every round multiplies it by about the same factor.
 int AdaptiveDeformation::next_count(int m) const {
   const auto& [start, rounds] = adaptive_;
   const double nodes = options_.graph.nodes;
@@ -162,7 +162,7 @@ int AdaptiveDeformation::next_count(int m) const {
   return options_.graph.nodes;
 }
 
-// False where nothing is left to add, or no reason to.
+// Adds nodes. Returns false where no node can be added or the terms cost nothing.
 bool AdaptiveDeformation::refine() {
   const int m = static_cast<int>(embedded_->graph().g.cols());
   if (m >= options_.graph.nodes) return false;

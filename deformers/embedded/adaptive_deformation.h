@@ -8,10 +8,10 @@
 
 namespace deformlab {
 
-/// How a graph grows where an edit needs it.
+/// The options of a graph that grows where an edit needs it.
 struct AdaptiveOptions {
-  int start = 0;   ///< nodes at the beginning; 0: the graph does not grow
-  int rounds = 4;  ///< number of refinements
+  int start = 0;  ///< with 0 the graph does not grow
+  int rounds = 4;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -28,12 +28,12 @@ struct AdaptiveOptions {
 /// objective function tell us when and where errors occur" (Sumner et al. 2007, section 6). It
 /// begins with adaptive.start nodes. After a solve, nodes are added where the terms cost most
 /// (worst_vertices). A new node begins with the transformation that the old graph gives its
-/// position, the others keep theirs, and the solver goes on from there, until after adaptive.rounds
+/// position, the others keep theirs, and the solver continues from there. After adaptive.rounds
 /// refinements there are graph.nodes. An update that leaves the shape at rest adds no node, and
 /// nodes that have been added stay.
 ///
-/// Each refinement costs a registration and a compilation, so that this saves nodes before it saves
-/// time; and the larger the part of a shape that an edit deforms, the less it saves. Use it with
+/// Each refinement costs a registration and a compilation, so that this saves nodes rather than
+/// time. It saves less, the larger the part of a shape is that an edit deforms. Use it with
 /// graph.alpha: length, because with equal weights a dense part of a graph bends more easily.
 class AdaptiveDeformation final : public Deformer {
  public:
@@ -44,8 +44,8 @@ class AdaptiveDeformation final : public Deformer {
                       const AdaptiveOptions& adaptive, std::span<const Cut> cuts = {});
 
   void compile(const Handles& handles) override;
-  /// Refines until there are graph.nodes. The report is of the last solve; its steps and seconds
-  /// are those of all.
+  /// Refines until there are graph.nodes. The report is that of the last solve, but its steps and
+  /// seconds are those of all solves.
   Report update(const Eigen::Matrix3Xd& targets) override;
   const Shape& deformed() const override { return embedded_->deformed(); }
   void reset() override { embedded_->reset(); }
@@ -57,29 +57,29 @@ class AdaptiveDeformation final : public Deformer {
   bool refine();
 
   Shape rest_;
-  EmbeddedDeformationOptions options_;  // of the graph at the end
+  EmbeddedDeformationOptions options_;  // with the final number of nodes
   AdaptiveOptions adaptive_;
   std::vector<Cut> cuts_;
   Handles handles_;
   std::unique_ptr<EmbeddedDeformation> embedded_;
 };
 
-/// Of every node its share of F: each element counts to equal parts for the nodes that it reads.
+/// The share of each node in F (m). Each summand of a term is divided equally among its nodes.
 Eigen::VectorXd node_costs(const Problem& problem);
 
-/// Vertices to add nodes at, one after another: where what the nodes that the vertex follows cost,
-/// times the distance to the nearest node there is by then, is largest. However little it follows
-/// them: a node may be fixed because of that vertex, until it has nearer ones. Fewer than `count`
-/// where nothing is above zero.
-///   g  3×m nodes [length], costs  m.
+/// The vertices at which nodes should be added. Each has the greatest product of two factors: the
+/// sum of the costs (m) of the nodes that it follows, and its distance to the nearest of the nodes
+/// g (3×m) [length] and of the vertices chosen before. Weights do not matter in the sum, because
+/// even a vertex that hardly follows a node may fix it. Returns fewer than `count` vertices where
+/// no other product is above 0.
 std::vector<int> worst_vertices(const Embedding& vertices, const Eigen::Matrix3Xd& g,
                                 const Eigen::VectorXd& costs, int count);
 
-/// The transformations of a deformation's nodes, and of more nodes at some of its vertices: their
-/// R_j blended as Eq. 2 blends, and the t_j that takes each where its vertex is.
+/// The transformations of a deformation's nodes, followed by those of new nodes at some vertices. A
+/// new R_j is blended by the weights of Eq. 2, and t_j moves the node to its deformed vertex.
 Transformations continued(const EmbeddedDeformation& deformation, std::span<const int> vertices);
 
-/// Embedded deformation as `deformer` runs it, or null where that is another method.
+/// The embedded deformation that `deformer` is or contains, or null for another method.
 const EmbeddedDeformation* as_embedded(const Deformer& deformer);
 
 }  // namespace deformlab

@@ -10,7 +10,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kSame = 1e-6;  // of the diagonal; a node that is nearer to a vertex sits on it
+constexpr double kSame = 1e-6;  // a node this near to a vertex sits on it [diagonal of the shape]
 
 EmbeddedDeformation on_vertices(const Shape& pose, const EmbeddedDeformationOptions& options) {
   const GraphOptions& graph = options.graph;

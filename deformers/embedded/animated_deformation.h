@@ -8,7 +8,7 @@
 namespace deformlab {
 
 /// Embedded deformation of a mesh animation (Sumner et al. 2007, section 5, "Mesh animations"). The
-/// nodes sit on vertices and go with them from frame to frame, while edges and weights stay. Each
+/// nodes are at vertices and move with them from frame to frame, while edges and weights stay. Each
 /// frame is deformed from its own rest state, so that it does not depend on any other frame.
 class AnimatedDeformation {
  public:
@@ -28,7 +28,8 @@ class AnimatedDeformation {
   /// The last frame, deformed.
   const Shape& deformed() const { return deformation_.deformed(); }
   const EmbeddedDeformation& deformation() const { return deformation_; }
-  const std::vector<int>& node_vertices() const { return node_vertices_; }  ///< of each node
+  /// The vertex at each node.
+  const std::vector<int>& node_vertices() const { return node_vertices_; }
 
  private:
   EmbeddedDeformation deformation_;

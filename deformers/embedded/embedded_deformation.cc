@@ -177,8 +177,8 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   solver_->compile(problem_);
 }
 
-// A component that is pinned at one point may rotate about it at no cost. It starts where its
-// handle takes it by a translation, which is then a minimum.
+// A component that is pinned at one point may rotate about it at no cost. It starts at the
+// translation that moves its handle to the target, which is a minimum.
 void EmbeddedDeformation::translate_pinned(const Eigen::Matrix3Xd& targets) {
   if (at_one_point_.empty()) return;
   const int d = options_.dimension;
@@ -206,7 +206,7 @@ void EmbeddedDeformation::measure(const Transformations& X, const Eigen::Matrix3
   report.seconds["solve"] = report.solve.seconds["total"];
 }
 
-// In the order of the phases: registration, compilation, solve.
+// Notes are in the order of the phases: registration, compilation, solve.
 void EmbeddedDeformation::add_notes(Report& report) const {
   std::vector<std::string> notes = registration_notes_;
   append(notes, report.notes);

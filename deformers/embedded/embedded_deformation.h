@@ -17,8 +17,8 @@ namespace deformlab {
 /// Embedded Deformation for Shape Manipulation (Sumner, Schmid, Pauly 2007).
 class EmbeddedDeformation final : public Deformer {
  public:
-  /// Builds the graph; parts that `cuts` separate do not pull at each other. Throws InputError for
-  /// options and cuts that are out of range or do not fit the shape.
+  /// Builds the graph, in which parts that `cuts` separate do not influence each other. Throws
+  /// InputError for options and cuts that are out of range or do not fit the shape.
   EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
                       std::span<const Cut> cuts = {});
   /// Builds the edges and weights for nodes that are given (3×m) [length].
@@ -48,7 +48,7 @@ class EmbeddedDeformation final : public Deformer {
   /// The vertex at each node, as in BuiltGraph.
   const std::vector<int>& node_vertices() const { return node_vertices_; }
   Transformations transformations() const;  ///< 3×4m, t_j [length]
-  /// Where the transformations X (3×4m) take the handles that are points and not vertices, 3×p
+  /// The positions (3×p) of the handles that are points under the transformations X (3×4m)
   /// [length].
   Eigen::Matrix3Xd points(const Transformations& X) const;
   const Problem& problem() const { return problem_; }  ///< lengths are in units of length_unit()
@@ -69,7 +69,7 @@ class EmbeddedDeformation final : public Deformer {
   Shape rest_, deformed_;
   Embedding embedding_, handles_;  // of the whole shape, and of the handles that move [length]
   std::vector<int> fixed_;         // vertices
-  Eigen::Index points_ = 0;        // so many last columns of handles_ are points and not vertices
+  Eigen::Index points_ = 0;        // the number of points, which are the last columns of handles_
   DeformationGraph graph_;
   std::vector<int> node_vertices_;
   bool in_space_ = true;  // a point can be embedded by its position alone

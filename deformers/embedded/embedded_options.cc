@@ -11,7 +11,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kMostUnits = 1e9;  // of length_unit in a mean edge, and of mean edges in it
+constexpr double kMostUnits = 1e9;  // the greatest ratio of length_unit and mean edge, either way
 
 void check_extra_terms(const EmbeddedDeformationOptions& options) {
   for (std::size_t i = 0; i < options.extra_terms.size(); ++i) {
@@ -26,7 +26,7 @@ void check_extra_terms(const EmbeddedDeformationOptions& options) {
   }
 }
 
-// E_rot of a rotation is zero, whatever its weight. Every other term has to exist for rigid nodes.
+// E_rot of a rotation is zero for any weight. Every other term has to exist for rigid nodes.
 void check_rotation_model(const EmbeddedDeformationOptions& o) {
   if (o.rotation_model == RotationModel::kAffine) return;
   if (o.dimension != 3) {

@@ -23,19 +23,18 @@ struct ExtraTerm {
   LossOptions loss{};
 };
 
-/// What is done about nodes that an edit turns inside out, det R < 0, which E_rot cannot tell from
-/// rotations. report counts them in the report. repair turns them back, and the solver goes on from
-/// there (deformers/embedded/reflections.h); where F has its least value at a fold, the term
-/// `orientation` stays in the problem to keep the fold open.
+/// What is done about nodes that an edit turns inside out (det R < 0), which E_rot does not
+/// distinguish from rotations. kReport counts them in the report. kRepair turns them back and
+/// continues the solve from there (deformers/embedded/reflections.h).
 enum class Reflections { kReport, kRepair };
 constexpr auto names_of(Reflections) {
   using enum Reflections;
   return std::to_array<EnumName<Reflections>>({{kReport, "report"}, {kRepair, "repair"}});
 }
 
-/// The unknowns of a node. affine: the twelve numbers of R_j and t_j, where E_rot draws R_j towards
-/// a rotation, as in the paper. rigid: a rotation vector and t_j, six numbers; R_j is a rotation by
-/// construction, so that E_rot is zero, and no term is Kronecker.
+/// The unknowns of a node. kAffine: the twelve numbers of R_j and t_j, where E_rot pulls R_j
+/// towards a rotation, as in the paper. kRigid: a rotation vector and t_j, six numbers. R_j is then
+/// always a rotation, so that E_rot is zero, and no term has Kronecker structure.
 enum class RotationModel { kAffine, kRigid };
 constexpr auto names_of(RotationModel) {
   using enum RotationModel;
@@ -45,25 +44,24 @@ constexpr auto names_of(RotationModel) {
 /// The options of embedded deformation.
 struct EmbeddedDeformationOptions {
   GraphOptions graph;
-  /// Weight w and options of each term; a term that is not named has its defaults.
+  /// The weight and options of each term by its name. A term that is not named has its defaults.
   std::map<std::string, TermSettings> energies;
-  /// ρ of a term, by its name; a term that is not named has none. A loss is meant for handles that
-  /// cannot all reach their targets, such as wrong targets among right ones. The paper has none.
+  /// The robust loss ρ of each term by its name. A term that is not named has none, as in the
+  /// paper. A loss is for handles that cannot all reach their targets, such as a few wrong targets.
   std::map<std::string, LossOptions> losses;
   /// Terms beside those of the catalog. Configs do not know them.
   std::vector<ExtraTerm> extra_terms;
-  /// E_rot has no unit, while E_reg and E_con are lengths²: their balance depends on what a length
-  /// is measured in. With "mean_edge", the mean edge of the graph, the result does not depend on
-  /// the unit of the shape. A number is that many of the shape's own units (1: the formula as
-  /// printed).
+  /// E_rot has no unit, while E_reg and E_con are in [length²], so that their balance depends on
+  /// the unit of length. With "mean_edge", the mean edge of the graph, the result does not depend
+  /// on the unit of the shape. A number is a length in that unit; 1 gives the printed formula.
   std::string length_unit = "mean_edge";
-  /// 2: the shape lies in the plane, z stays as it is, and a node has six unknowns instead of
+  /// With 2 the shape lies in the plane, z stays as it is, and a node has six unknowns instead of
   /// twelve in the same terms (Sumner et al. 2007, section 7, mentions images).
   int dimension = 3;
   Reflections reflections = Reflections::kReport;
   RotationModel rotation_model = RotationModel::kAffine;
   SolverOptions solver;
-  int transfer_threads = 1;  ///< the result does not depend on their number
+  int transfer_threads = 1;
 
   NodeModel node_model() const {
     return rotation_model == RotationModel::kRigid ? NodeModel::kRigid : NodeModel::kAffine;
@@ -107,7 +105,7 @@ void check_dimension(int d, const Shape& rest);
 /// Throws OptionError for other text and for a number far from the mean edge of the graph.
 double length_unit(const std::string& text, const DeformationGraph& graph);
 
-/// All terms of the catalog that have a weight, then the extra terms, each summed over the context.
+/// The terms of the catalog with a weight above 0, followed by the extra terms.
 std::vector<WeightedEnergy> make_terms(const EmbeddedDeformationOptions& options,
                                        const GraphContext& context);
 

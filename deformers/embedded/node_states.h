@@ -10,8 +10,8 @@ namespace deformlab {
 /// two if it is rigid.
 Unknowns rest_states(NodeModel model, int d, int m);
 
-/// The transformations (3×4m) that the unknowns stand for. `unit` is the problem's unit of length,
-/// in that of the transformations.
+/// The transformations (3×4m) of the unknowns. `unit` is the problem's unit of length, measured in
+/// the unit of the transformations.
 Transformations to_transformations(const Unknowns& x, NodeModel model, double unit);
 
 /// Sets the unknowns of the nodes that are not fixed to these transformations. A rigid node takes

@@ -9,7 +9,7 @@ namespace deformlab {
 namespace {
 
 constexpr int kMostNamed = 5;        // components that the notes name; others are only counted
-constexpr double kSamePoint = 1e-6;  // of the shape's extent
+constexpr double kSamePoint = 1e-6;  // relative to the shape's extent
 
 struct Component {
   std::vector<int> nodes;
@@ -37,7 +37,7 @@ std::vector<Component> find_components(const DeformationGraph& graph, const Embe
   return result;
 }
 
-// 0, 1, 2, 3: the points lie at one point, on a line, in a plane, in space.
+// The dimension that the points span: 0 at one point, 1 on a line, 2 in a plane, 3 in space.
 int affine_rank(const Eigen::Matrix3Xd& points, double extent) {
   const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
   const Eigen::Matrix3d covariance = centred * centred.transpose() / points.cols();

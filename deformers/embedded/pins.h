@@ -14,16 +14,17 @@ struct PointPin {
   std::vector<int> handles;  ///< columns of the handles' embedding
 };
 
-/// What pin_free_components found.
+/// The result of pin_free_components.
 struct Pins {
   std::vector<PointPin> at_one_point;
   std::vector<std::string> notes;  ///< what a user should know, one sentence each
 };
 
-/// A component of the graph without a handle could be anywhere at no cost. Its nodes are marked in
-/// `fixed` (one entry for each node), so that it stays where it is. A component with too few
-/// handles may still rotate about them, which the solvers can deal with.
-///   handles  the handles that move; extent  the size of the shape, both [length].
+/// A component of the graph without a handle could move anywhere at no cost. Its nodes are marked
+/// in `fixed` (one entry per node), so that it stays where it is. A component with too few handles
+/// may still rotate about them, which the solvers allow.
+///   handles  the handles that move [length]
+///   extent   the size of the shape [length]
 Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles, double extent,
                          std::vector<char>& fixed);
 

@@ -19,11 +19,10 @@
 namespace deformlab {
 namespace {
 
-// The weight of `orientation`, in multiples of the least of the other weights. It grows from round
-// to round while nodes are left inside out, and begins low, because a stiffer term takes more
-// steps.
+// The weight of `orientation` in each round, in multiples of the least of the other weights. A
+// greater weight needs more steps, and is used only while nodes are left inside out.
 constexpr double kRounds[] = {1e2, 1e3, 1e4, 1e5};
-constexpr int kSweeps = 300;  // for the spreading of rotations
+constexpr int kSweeps = 300;  // of the averaging of rotations
 
 using Neighbors = std::vector<std::vector<int>>;
 
@@ -108,7 +107,7 @@ void spread_rotations(const DeformationGraph& graph, const Embedding& handles,
 
 struct Guarded {
   Summary solve;
-  double orientation = 0;  // the cost of that term at the end
+  double orientation = 0;  // the final cost of the term `orientation`
 };
 
 // A term that is part of the problem for as long as this object lives.

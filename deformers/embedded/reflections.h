@@ -15,11 +15,11 @@ int count_inside_out(const Unknowns& x);
 /// If nodes are inside out, solves again from a better start. In space, these nodes are mirrored
 /// along the normal of their neighbours, and the rotations of nodes that no handle follows are
 /// spread evenly between those of the others, which unwinds twists. F is then minimised with the
-/// term `orientation`, which draws det R_j above 0, and from there without it. The result is a
-/// minimum of F. Only if nodes would turn over again, because F has its least value at a fold, is
-/// it a minimum of F + orientation. The result is kept if fewer nodes are inside out than before.
-/// report.notes say what was done.
-///   graph, handles  in the same unit, which may be any
+/// term `orientation`, which pulls det R_j above 0, and from there without it. The result is a
+/// minimum of F, or of F + orientation if nodes would turn over again because F has its least value
+/// at a fold. The result is kept if fewer nodes are inside out than before. report.notes say what
+/// was done.
+///   graph, handles  in any common unit of length
 ///   solver          is compiled for the problem; the term is added for another one with `options`
 void repair_reflections(Problem& problem, const DeformationGraph& graph, const Embedding& handles,
                         Solver& solver, const SolverOptions& options, Report& report);

@@ -5,11 +5,11 @@
 namespace deformlab {
 
 /// Embedded deformation of a stream of particles (Sumner et al. 2007, section 5, "Particle
-/// simulations"). The graph is a chain of samples of the path that one particle takes. It stays
-/// where it is in space, and a particle that passes is under the influence of the nodes near to it.
-/// Nothing in the paper's energy says how far such a chain may rotate about itself: if the path is
-/// curved at rest and bent in another direction, the minimum rotates it until both curvatures
-/// agree. The energy term `smoothness` prevents that.
+/// simulations"). The graph is a chain of samples of the path that one particle takes. It does not
+/// move with the particles, and a particle follows the nodes that it is near to at the moment. The
+/// paper's energy does not prevent such a chain from rotating about itself: if the path is curved
+/// at rest and bent in another direction, the minimum rotates it until both curvatures agree. The
+/// energy term `smoothness` prevents that.
 class StreamDeformation {
  public:
   /// `samples` is 3×m, in the order of time [length]. Throws InputError for options out of range
@@ -23,14 +23,14 @@ class StreamDeformation {
   Report update(const Eigen::Matrix3Xd& targets) { return deformation_.update(targets); }
   void reset() { deformation_.reset(); }
 
-  /// Where particles at these positions (3×n, n ≥ 0) [length] go, by Eq. 2 with the weights of
-  /// Eq. 4, which are their influences.
+  /// The deformed positions (3×n) of particles at these positions (3×n, n ≥ 0) [length] by Eq. 2.
+  /// Their influences are the weights of Eq. 4.
   Eigen::Matrix3Xd deformed(const Eigen::Matrix3Xd& positions) const {
     return deformed(influences(positions));
   }
   Embedding influences(const Eigen::Matrix3Xd& positions) const;
   Eigen::Matrix3Xd deformed(const Embedding& particles) const;
-  /// Σ_j w_j R_j at each position, side by side, 3×3n: how space is rotated there.
+  /// The blended matrices Σ_j w_j R_j at each position, side by side (3×3n).
   Eigen::Matrix3Xd rotations(const Eigen::Matrix3Xd& positions) const;
   const EmbeddedDeformation& deformation() const { return deformation_; }
 
