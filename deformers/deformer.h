@@ -11,7 +11,7 @@
 
 namespace deformlab {
 
-/// What an update did, and how well.
+/// The report of an update.
 struct Report {
   Summary solve;
   int nodes = 0, edges = 0;
@@ -22,7 +22,7 @@ struct Report {
   double handle_rms = 0;   ///< root mean square distance of the handles to their targets [length]
   double handle_max = 0;   ///< the largest such distance [length]
   double length_unit = 1;  ///< one unit of the solver [length]
-  /// How long the phases took, by name [s].
+  /// The time of each phase by its name [s].
   std::map<std::string, double> seconds;
   /// What a user should know, one sentence each: parts without a handle, handles that cannot move,
   /// rules that were applied.

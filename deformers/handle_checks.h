@@ -11,11 +11,11 @@ namespace deformlab {
 /// and for a point that is not finite. `vertices` is the number of the shape's vertices.
 void check_handles(const Handles& handles, Eigen::Index vertices);
 
-/// Throws InputError where the targets (3×#targets) are not `count` or one is not finite.
+/// Throws InputError where there are not `count` targets (3×#targets) or one is not finite.
 void check_targets(const Eigen::Matrix3Xd& targets, Eigen::Index count);
 
 /// Sets handle_rms and handle_max of a report, which stay 0 where there is no handle.
-///   reached, targets  3×#handles, positions of the handles and where they should be [length]
+///   reached, targets  3×#handles, positions of the handles and of their targets [length]
 void measure_handles(const Eigen::Matrix3Xd& reached, const Eigen::Matrix3Xd& targets,
                      Report& report);
 

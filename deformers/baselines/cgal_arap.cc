@@ -37,9 +37,9 @@ class CgalArap::Engine {
 namespace {
 
 constexpr const char* kMethod = "as-rigid-as-possible deformation";
-constexpr double kNegligible = 1e-24;  // energy [SpokesAndRims::scale]
-// Twice the area of a triangle [square of its longest side]. The cotangents of a thinner one would
-// outweigh all others, and leave no correct digit of the solution.
+constexpr double kNegligible = 1e-24;  // a smaller energy counts as 0 [SpokesAndRims::scale]
+// The least allowed twice area of a triangle [square of its longest side]. The cotangent weights of
+// a thinner one would leave no correct digit of the solution.
 constexpr double kThinnest = 1e-10;
 
 Mesh make_mesh(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
@@ -154,8 +154,7 @@ void CgalArap::compile_handles() {
   solvable_ = engine_->set_control_vertices(control);
 }
 
-// The handles, and all vertices of components without a handle, which could move anywhere at no
-// cost.
+// The handles and all vertices of components without a handle, which could move at no cost.
 std::vector<int> CgalArap::control_vertices() {
   DisjointSets sets(V_.cols());
   for (const auto t : T_.colwise()) {

@@ -12,8 +12,8 @@
 
 namespace deformlab {
 
-/// The energy that CGAL minimises: spokes_and_rims, its own default; original (Sorkine and Alexa
-/// 2007), where negative weights count as 0; or smooth_rotations (Levi and Gotsman 2015).
+/// The energy that CGAL minimises: spokes and rims, its default; the original (Sorkine and Alexa
+/// 2007), where negative weights count as 0; or smooth rotations (Levi and Gotsman 2015).
 enum class CgalArapVariant { kSpokesAndRims, kOriginal, kSmoothRotations };
 constexpr auto names_of(CgalArapVariant) {
   using enum CgalArapVariant;
@@ -49,7 +49,7 @@ struct CgalArapOptions {
 class CgalArap final : public Baseline {
  public:
   /// Registration. Polygons of more than three corners are cut into triangles. Throws InputError
-  /// for a shape whose triangles are no manifold mesh (the message names where they are not), for a
+  /// for a shape whose triangles are no manifold mesh (the message names a position), for a
   /// triangle without area, and for options out of range.
   explicit CgalArap(Shape rest, const CgalArapOptions& options = {});
   ~CgalArap() override;
@@ -71,8 +71,8 @@ class CgalArap final : public Baseline {
   void store(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& R);
 
   CgalArapOptions options_;
-  std::vector<int> vertices_;  // those in triangles, which are CGAL's mesh
-  std::vector<int> index_;     // the inverse: of each vertex of the shape its index there, or −1
+  std::vector<int> vertices_;  // the vertices in triangles, which are those of CGAL's mesh
+  std::vector<int> index_;     // the inverse: the index of each vertex of the shape there, or −1
   Eigen::Matrix3Xi T_;         // 3×#T triangles of CGAL's mesh
   Eigen::Matrix3Xd V_, W_;     // 3×#V of CGAL's mesh, at rest and deformed [length]
   std::unique_ptr<Engine> engine_;

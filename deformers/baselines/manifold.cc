@@ -19,8 +19,8 @@ int corner(const Side& side, bool low) {
   return 3 * side.triangle + (low == side.upward ? side.k : (side.k + 1) % 3);
 }
 
-// A vertex whose corners are not all connected across edges (a set of `fans` is a fan of triangles
-// around a vertex), or −1 where there is none.
+// A vertex with more than one fan, or −1 where there is none. A set of `fans` contains the corners
+// at a vertex that are connected across edges.
 int vertex_of_two_fans(const Eigen::Matrix3Xi& T, int n, DisjointSets fans) {
   std::vector<int> fan_of(n, -1);
   for (int c = 0; c < T.size(); ++c) {

@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// Why triangles are no orientable manifold with boundary: a text that names one position where
-/// they are not, or an empty one where they are.
+/// Explains why triangles are no orientable manifold with boundary. The text names one position. It
+/// is empty for a manifold.
 ///   T  3×#T, three different vertices in each triangle
 ///   n  the number of vertices
 std::string manifold_fault(const Eigen::Matrix3Xi& T, int n);

@@ -15,9 +15,9 @@
 namespace deformlab {
 namespace {
 
-constexpr double kSamePosition = 1e-6;  // distance [mean side]
-// Twice the area of a triangle [square of its longest side]. The corners of a thinner one do not
-// determine how its prism turns.
+constexpr double kSamePosition = 1e-6;  // a smaller distance counts as 0 [mean side]
+// The least twice area [square of the longest side] of a triangle whose corners determine the
+// rotation of its prism.
 constexpr double kThinnest = 1e-6;
 
 }  // namespace
@@ -82,9 +82,9 @@ std::vector<Pin> PrimoDeformation::make_pins() const {
   return pins;
 }
 
-// Returns for each prism whether it is fixed: those that are prescribed, and those of components
-// without a handle, which could move anywhere at no cost. Finds the components that are pinned at
-// one point.
+// Returns for each prism whether it is fixed. Prescribed prisms are fixed, and so are components
+// without a handle, which could move anywhere at no cost. Also finds the components that are pinned
+// at one point.
 std::vector<char> PrimoDeformation::fix_free_components(const std::vector<Pin>& pins) {
   const int m = static_cast<int>(prisms_.T.cols());
   DisjointSets sets(m);
@@ -92,7 +92,7 @@ std::vector<char> PrimoDeformation::fix_free_components(const std::vector<Pin>& 
   const std::vector<int> component = sets.numbered();
   const int components = 1 + std::ranges::max(component);
 
-  // Of each component: kFree, kAnchored, or one of its pins where all of them are at one point.
+  // For each component kFree, kAnchored, or one of its pins where all of them are at one point.
   constexpr int kFree = -1, kAnchored = -2;
   std::vector<int> pin_of(components, kFree);
   for (int k = 0; k < std::ssize(pins); ++k) {
@@ -127,7 +127,7 @@ std::vector<char> PrimoDeformation::fix_free_components(const std::vector<Pin>& 
   return fixed;
 }
 
-// targets: 3×#handles, the fixed ones first [unit_].
+// The targets (3×#handles) are in units of unit_, those of fixed vertices first.
 void PrimoDeformation::set_targets(const Eigen::Matrix3Xd& targets) {
   for (int i = 0; i < prisms_.T.cols(); ++i) {
     if (!prescribed_[i]) continue;
@@ -142,8 +142,8 @@ void PrimoDeformation::set_targets(const Eigen::Matrix3Xd& targets) {
   for (Pin& pin : equations_->pins()) pin.target = targets.col(pin.handle);
 }
 
-// A component that is pinned at one point may turn about it at no cost. It is translated to its
-// target, where it is in a minimum at once. So one handle is a translation.
+// A component that is pinned at one point may rotate about it at no cost. It is translated to its
+// target, which is a minimum, so that a single handle translates the shape.
 void PrimoDeformation::translate_components() {
   for (const PointPin& component : at_one_point_) {
     const Pin& pin = equations_->pins()[component.pin];

@@ -11,11 +11,11 @@ namespace deformlab {
 
 /// The options of PriMo.
 struct PrimoOptions {
-  /// The height of the prisms [diagonal of the shape's bounding box]. What bending costs beside
-  /// stretching grows with its square, and is the same at any resolution of the mesh.
+  /// The height of the prisms [diagonal of the shape's bounding box]. The ratio of the costs of
+  /// bending and stretching grows with its square and is the same at any resolution of the mesh.
   double height = 0.04;
-  double handle_weight = 1000;  ///< of a handle, where the weight of a joint is about 1
-  double epsilon = 1e-6;        ///< of the three conditions of Sumner et al. 2007, Eq. 12
+  double handle_weight = 1000;  ///< the weight of a joint is about 1
+  double epsilon = 1e-6;        ///< tolerance of the conditions of Sumner et al. 2007, Eq. 12
   int max_iterations = 100;
 
   template <class Self, class Visit>

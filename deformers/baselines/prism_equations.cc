@@ -24,7 +24,7 @@ Eigen::Matrix3d cross_product_matrix(const Eigen::Vector3d& a) {
   return A;
 }
 
-// Σ JᵀJ′ over the columns of a and b, the arms of two prisms. A point moves by J (ω, v) = ω×a + v.
+// Σ JᵀJ′ over the columns of the arms a and b of two prisms. A point moves by J (ω, v) = ω×a + v.
 template <class Arms>
 Eigen::Matrix<double, 6, 6> product(const Arms& a, const Arms& b) {
   Eigen::Matrix<double, 6, 6> block;
@@ -88,8 +88,8 @@ void PrismEquations::find_order() {
   }
 }
 
-// The c-th of a prism's six columns has the diagonal block from row c on, and then the blocks of
-// the later prisms that it is joined to.
+// The c-th of a prism's six columns contains the diagonal block from row c on, and then the blocks
+// of the later prisms that it is joined to.
 void PrismEquations::build_structure() {
   const int n = unknowns() / 6;
   rows_.assign(n, {});

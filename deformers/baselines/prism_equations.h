@@ -34,12 +34,12 @@ class PrismEquations {
   double pin_energy(const RigidMotions& motions) const;    ///< [length²]
   double energy(const RigidMotions& motions) const;        ///< E, the sum of both [length²]
 
-  /// Computes H and Jᵀr at these motions. H is the positive semidefinite part of half of E's second
-  /// derivative; the part that makes it concave is kept apart.
+  /// Computes H and Jᵀr at these motions. H is half of E's second derivative without the concave
+  /// part of the rotations' curvature, which is stored apart.
   void linearize(const RigidMotions& motions);
-  /// Computes the step δ = −(H + λ D)⁻¹ Jᵀr as velocities (6×m: ω_i, v_i). D is the mean of each
-  /// prism's diagonal. Where `full`, H is taken with its concave part. Returns false where the
-  /// matrix is not positive definite, or singular in double precision.
+  /// Computes the step δ = −(H + λ D)⁻¹ Jᵀr as velocities (6×m: ω_i, v_i). D is diagonal and
+  /// contains the mean of each prism's diagonal of H. Where `full`, H includes the concave part.
+  /// Returns false where the matrix is not positive definite, or singular in double precision.
   bool solve(bool full, double lambda, Eigen::MatrixXd& velocities);
   /// δᵀJᵀr, which is half of the slope of E along the velocities.
   double slope(const Eigen::MatrixXd& velocities) const;
@@ -59,10 +59,10 @@ class PrismEquations {
 
   const PrismLayer& prisms_;
   std::vector<Pin> pins_;
-  std::vector<int> index_;              // of each prism its index among the free ones, or −1
-  std::vector<std::vector<int>> rows_;  // of each free prism the later ones that it is joined to
+  std::vector<int> index_;              // the index of each prism among the free ones, or −1
+  std::vector<std::vector<int>> rows_;  // the later prisms that each free prism is joined to
   SparseMatrix H_, damped_;
-  Eigen::Matrix3Xd concave_;  // of the rotations, 3×3 for each free prism
+  Eigen::Matrix3Xd concave_;  // the concave part of the rotations, 3×3 for each free prism
   Eigen::VectorXd Jtr_, delta_;
   std::unique_ptr<LinearSolver> solver_;
 };

@@ -12,8 +12,7 @@
 namespace deformlab {
 namespace {
 
-// The least area of the two triangles at a joint, as a multiple of ‖e_ij‖²: it bounds the weights
-// of slivers.
+// The least area of the two triangles at a joint [‖e_ij‖²], which limits weights of thin triangles.
 constexpr double kLeastArea = 1e-6;
 
 Eigen::VectorXd areas(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {

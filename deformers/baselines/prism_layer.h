@@ -30,7 +30,7 @@ struct PrismLayer {
 ///   height  of the prisms, positive [length]
 PrismLayer make_prisms(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, double height);
 
-/// The mean length of the triangles' sides [length]; 1 where all triangles are points.
+/// The mean length of the triangles' sides [length], or 1 where all triangles are points.
 double mean_side(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T);
 
 /// Rigid motions of prisms: x ↦ R_i (x − b_i) + c_i.
@@ -51,9 +51,9 @@ struct RigidMotions {
 void fit_rigidly(const Eigen::Matrix3d& rest, const Eigen::Matrix3d& corners, int i,
                  RigidMotions& motions);
 
-/// Sets `to` to the motions after a step from `from` of length `scale` along velocities (6×m: ω_i,
-/// v_i). The linear motion x + ω×(x − c) + v is projected to the closest rigid one, which is a
-/// rotation about ω by atan ‖ω‖.
+/// Sets `to` to the motions `from` after a step of `scale` times the velocities (6×m: ω_i, v_i).
+/// The linear motion x + ω×(x − c) + v is projected to the closest rigid one, which is a rotation
+/// about ω by atan ‖ω‖ and the translation v.
 void move(const RigidMotions& from, const Eigen::MatrixXd& velocities, double scale,
           RigidMotions& to);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSufficientDecrease = 1e-4;  // of E [decrease that the slope predicts]
 constexpr double kSmallestStep = 1e-6;
 constexpr double kRounding = 1e-13;      // a smaller increase of E does not count [1 + E]
-constexpr double kLeastDamping = 1e-12;  // lets components turn that are pinned at one point
+constexpr double kLeastDamping = 1e-12;  // regularizes components that are pinned at one point
 
 class Descent {
  public:

@@ -14,9 +14,9 @@ namespace deformlab {
 namespace {
 
 // Handles that are closer than this share a centre, and p is constant in a direction in which the
-// handles are thinner: otherwise double precision could not determine the fit [handles' extent].
+// extent of the handles is smaller [handles' extent]. The fit would be ill-conditioned otherwise.
 constexpr double kThin = 1e-4;
-constexpr Eigen::Index kChunk = 512;  // vertices whose basis is computed at once if it is not kept
+constexpr Eigen::Index kChunk = 512;  // vertices per evaluation of a basis that is not stored
 
 Eigen::Matrix3Xd side_by_side(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
   Eigen::Matrix3Xd result(3, a.cols() + b.cols());

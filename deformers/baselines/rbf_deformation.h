@@ -9,8 +9,8 @@ namespace deformlab {
 
 /// The options of deformation by radial basis functions.
 struct RbfOptions {
-  int max_centers = 1000;  ///< the greatest n; the basis takes 8 n bytes a vertex
-  int megabytes = 1000;  ///< for the basis at all vertices; a larger one is computed anew each time
+  int max_centers = 1000;  ///< the greatest n; the basis takes about 8 n bytes per vertex
+  int megabytes = 1000;    ///< a basis that needs more is computed again in each update
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -30,7 +30,7 @@ struct RbfOptions {
 /// handles. The method is linear: it moves features without turning them.
 ///
 /// Where the handles span only a plane, a line or a point, p is linear along it and constant across
-/// it. So one handle translates the shape. Without a handle the shape stays at rest.
+/// it, so that a single handle translates the shape. Without a handle the shape stays at rest.
 class RbfDeformation final : public Baseline {
  public:
   /// Throws InputError for a shape or options that cannot be used.

@@ -7,14 +7,14 @@
 #include "geometry/shape/handles.h"
 #include "geometry/shape/shape.h"
 
-/// What the baselines that deform surfaces have in common. The argument `method` is the name of the
+/// This is shared by the baselines that deform surfaces. The argument `method` is the name of the
 /// method in messages.
 namespace deformlab::baselines {
 
 /// The triangles of a shape.
 struct Surface {
   Eigen::Matrix3Xi T;              ///< 3×#T vertices, three different ones in each triangle
-  std::vector<int> vertices;       ///< those that some triangle has, ascending
+  std::vector<int> vertices;       ///< the vertices of these triangles, ascending
   std::vector<std::string> notes;  ///< what a user should know, one sentence each
 };
 

@@ -20,9 +20,9 @@ class DepthMemory {
   };
 
   /// What is remembered of each region. A region lasts if it shares pairs of triangles with the
-  /// last update. An overlap that moved by more than its own width has only new pairs, but its old
-  /// pairs are all gone. So the triangles of a region that is gone keep being in front or behind in
-  /// new regions.
+  /// last update. An overlap that moved by more than its own width has only new pairs, and the
+  /// region of its old pairs is gone. The triangles of a region that is gone therefore stay in
+  /// front or behind in new regions.
   std::vector<Recollection> recall(const Overlaps& overlaps) const;
 
   /// Replaces what is remembered. `a_in_front` has one entry for each pair of triangles: whether
@@ -38,9 +38,9 @@ class DepthMemory {
   std::vector<int> sides_of_gone(const std::vector<bool>& gone) const;
 
   std::vector<Seen> seen_;
-  PairTable index_;  ///< of a pair of triangles in seen_
+  PairTable index_;  ///< the index in seen_ of a pair of triangles
   std::size_t regions_ = 0;
-  int triangles_ = 0;  ///< the number of the last triangle in seen_, plus one
+  int triangles_ = 0;  ///< the greatest index of a triangle in seen_, plus one
 };
 
 }  // namespace deformlab

@@ -98,7 +98,7 @@ const Eigen::VectorXd& DepthOrder::update(const Eigen::Matrix2Xd& V) {
   return depth_;
 }
 
-// What each region would choose if it were alone: lasting ones first, large ones before small ones.
+// The choice of each region if it were alone. Lasting regions come first, large before small ones.
 std::vector<DepthOrder::Choice> DepthOrder::choices() const {
   const auto recalled = memory_.recall(overlaps_);
   std::vector<Choice> result;
@@ -142,7 +142,7 @@ bool DepthOrder::put_all(const OverlapRegion& region, bool a_in_front) {
   return true;
 }
 
-// A pair that would close a circle is put the other way, which the stack already implies.
+// A pair that would close a cycle is put the other way, which the stack already implies.
 void DepthOrder::put_each(const OverlapRegion& region, bool a_in_front) {
   for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
     const auto [back, front] = a_in_front ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);

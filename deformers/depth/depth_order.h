@@ -9,14 +9,14 @@
 
 namespace deformlab {
 
-/// What an update of the depths did, as numbers of regions of overlap.
+/// The numbers of regions of overlap in an update of the depths.
 struct DepthReport {
   int regions = 0;    ///< all regions
   int lasting = 0;    ///< the same sheet is in front as in the last update
   int turned = 0;     ///< the other sheet is in front, because other regions left no other order
-  int cyclic = 0;     ///< no sheet is wholly in front, because either choice closes a circle
-  int twisted = 0;    ///< the two sheets change sides along a closed way (OverlapRegion)
-  bool found = true;  ///< false where the shape is too tangled to find regions (OverlapFinder)
+  int cyclic = 0;     ///< no sheet is wholly in front, because either choice closes a cycle
+  int twisted = 0;    ///< a walk through the region exchanges the two sheets (OverlapRegion)
+  bool found = true;  ///< false where there are too many pairs of triangles (OverlapFinder)
 };
 
 /// A predefined order for shapes that have none (#V, higher is nearer to the viewer): the distance
@@ -44,7 +44,7 @@ class DepthOrder {
   /// higher is nearer), which is the number of sheets that are stacked behind it. Triangles that
   /// overlap never have the same depth, so that triangles of one depth can be drawn together. A
   /// triangle that overlaps none takes the depth of the nearest one of its sheet that does, so that
-  /// depths change far from where they matter. In a shape that is too tangled, triangles have their
+  /// depths change far from the overlaps. Where there are too many pairs of triangles, depths are
   /// ranks in the predefined order. Throws InputError as OverlapFinder does, and changes nothing
   /// then.
   const Eigen::VectorXd& update(const Eigen::Matrix2Xd& V);

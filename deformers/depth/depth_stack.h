@@ -15,7 +15,7 @@ class DepthStack {
   explicit DepthStack(std::vector<int> back_to_front);
 
   /// Adds the constraint that `front` lies in front of `back`. Returns false and adds nothing where
-  /// it would close a circle with earlier constraints, or where more than a few million items have
+  /// it would close a cycle with earlier constraints, or where more than a few million items have
   /// been visited since the last `clear`.
   bool put(int back, int front);
   std::size_t constraints() const { return links_.size(); }
@@ -42,9 +42,9 @@ class DepthStack {
   bool visit(int item, std::vector<int>& found);
 
   std::vector<int> back_to_front_;  ///< the order
-  std::vector<int> rank_;           ///< of each item in the order, 0 is the back
+  std::vector<int> rank_;           ///< the rank of each item in the order, 0 at the back
   std::vector<Link> links_;         ///< the constraints in the order in which they were added
-  std::vector<int> first_front_, first_back_;  ///< an item's latest link to its front, to its back
+  std::vector<int> first_front_, first_back_;  ///< each item's latest link to its front or back
   std::vector<int> in_front_, behind_;         ///< what the current `put` has found
   std::vector<char> visited_;
   int visits_ = 0;  ///< since the last `clear`
