@@ -72,7 +72,7 @@ bool is_before(const GraphEdge& one, const GraphEdge& other) {
   return std::pair(one.j, one.k) < std::pair(other.j, other.k);
 }
 
-// The edges of a file with the weights that edges of co-influence have; 0 where there is none.
+// Gives the edges of a file the weights of the same edges by influence, or 0 where there is none.
 std::vector<GraphEdge> weighed(std::vector<GraphEdge> by_hand,
                                const std::vector<GraphEdge>& by_influence) {
   for (GraphEdge& edge : by_hand) {

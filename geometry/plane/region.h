@@ -25,8 +25,8 @@ double perimeter(const Region& region);
 /// The region without repeated corners. Its outline turns from x to y and its holes turn the other
 /// way. Throws InputError where a polygon has fewer than three different corners, no area or a
 /// coordinate that is not finite, where edges cross or touch (the message names two of them and the
-/// point), where a hole is not inside the outline or lies inside another hole, and where the region
-/// is smaller or larger than a shape may be. `name` is what the message calls the region.
+/// point), where a hole is not inside the outline or lies inside another hole, and where the extent
+/// or a coordinate is beyond the limits of shape.h. `name` is what the message calls the region.
 Region checked(const Region& region, const std::string& name);
 
 /// The region with some of its corners. Its boundary differs by at most about `tolerance` [length],

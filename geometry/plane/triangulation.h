@@ -43,8 +43,8 @@ struct TriangulationOptions {
 /// From 80 vertices on their number is met within 3 %, unless the region's corners, holes and thin
 /// parts need more. The mesh is connected and uses every vertex, and the same input gives the same
 /// bytes. Throws InputError for options out of range, for a region that `checked` refuses, and for
-/// a region so thin that more than twice the given number of vertices (and more than 100,000) would
-/// be needed, or that coordinates would have too few digits. `name` is what the message calls it.
+/// a region so thin that it needs more than 100,000 vertices and more than twice the given number,
+/// or that coordinates would have too few digits. `name` is what the message calls the region.
 Triangulation triangulate(const Region& region, const TriangulationOptions& options,
                           const std::string& name);
 

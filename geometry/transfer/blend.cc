@@ -47,7 +47,7 @@ DEFORMLAB_INLINE void add(const Columns& M, double w, const double* v, SimdBlock
   sum += w * there;
 }
 
-// The time goes into loads. One load therefore brings the indices of two nodes.
+// Loads take most of the time. One load therefore reads the indices of two nodes.
 template <int columns>
 DEFORMLAB_INLINE void blend(const auto& b, std::ptrdiff_t i, SimdBlock& sum) {
   look_ahead(b, i);

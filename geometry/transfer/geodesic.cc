@@ -73,7 +73,7 @@ std::unique_ptr<HeatMethod> make_heat_method(const Shape& shape, const Eigen::Ma
   for (const auto t : T.colwise()) {
     const Eigen::Vector3d u = shape.V.col(t[1]) - shape.V.col(t[0]);
     if (u.cross(Eigen::Vector3d(shape.V.col(t[2]) - shape.V.col(t[0]))).norm() == 0) {
-      reject_thin_triangles();  // which CGAL would answer by an assertion
+      reject_thin_triangles();  // CGAL would fail in an assertion
     }
   }
   try {

@@ -8,10 +8,10 @@
 namespace deformlab {
 namespace {
 
-constexpr int kKnown = 6;            // known neighbors of a node per node that is sought
+constexpr int kKnown = 6;            // stored neighbors of a node per node that a search returns
 constexpr double kSlack = 1 + 1e-9;  // a factor far above rounding
 
-// Sums in the order in which nanoflann does, so that both round alike.
+// Adds in the same order as nanoflann, so that both have the same rounding errors.
 double square_distance(const Eigen::Vector3d& v, const Eigen::Vector3d& g) {
   const double x = v[0] - g[0], y = v[1] - g[1], z = v[2] - g[2];
   return x * x + y * y + z * z;
@@ -53,7 +53,7 @@ void NearestNodes::find(const Eigen::Vector3d& v, int* nodes, double* distances)
 bool NearestNodes::find_near(const Eigen::Vector3d& v) {
   const double offset = kSlack * (v - g_.col(last_)).norm();
   const std::vector<Neighbor>& near = neighbors(last_);
-  if (offset > near.back().distance / 2) return false;  // more neighbors would have to be known
+  if (offset > near.back().distance / 2) return false;  // too few neighbors are stored
   double* const squares = squares_.data();
   int found = 0;
   for (const auto& [distance, node] : near) {

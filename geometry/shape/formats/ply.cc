@@ -169,10 +169,10 @@ class Reader {
   const std::string& name_;
   const PlyHeader header_;
   std::size_t at_;                       ///< where the next number begins
-  const PlyElement* element_ = nullptr;  ///< of the row that is being read
+  const PlyElement* element_ = nullptr;  ///< the element of the row that is being read
   std::string kind_;                     ///< what messages call this row
-  std::uint64_t row_ = 0;                ///< and its index
-  Properties position_{}, normal_{};     ///< of the vertices
+  std::uint64_t row_ = 0;                ///< the index of this row
+  Properties position_{}, normal_{};     ///< the properties of vertices for x, y, z
   bool has_normals_ = false;
   ShapeFile file_;
 };

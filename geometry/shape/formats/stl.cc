@@ -87,7 +87,7 @@ class TextReader {
     check_order(where);
   }
 
-  /// A normal may be NaN, because nobody reads it.
+  /// A normal may be NaN, because it is not used.
   void append_normal(std::span<const Token> words, const Location& where) {
     for (const Token& word : words) {
       const std::optional<double> value = to_number(word.text);
