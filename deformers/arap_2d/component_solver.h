@@ -48,7 +48,7 @@ class ComponentSolver {
   ComponentMotion motion_ = ComponentMotion::kNone;
   std::vector<int> target_;               // the column of each handle's target
   std::vector<BarycentricPoint> points_;  // its handles, with the registered mesh's vertices
-  std::unique_ptr<HandleSystem> system_;  // null for a component that only translates or rests
+  std::unique_ptr<HandleSystem> system_;  // null where handles impose at most one condition
   // Targets q_ and positions z_ are relative to origin_, the first target. So they are exactly 0
   // where all targets are one point.
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();

@@ -7,9 +7,9 @@
 
 namespace deformlab {
 
-/// The fitting in closed form (Igarashi et al. 2005, section 4.2.1). Points are complex numbers x +
-/// iy, and p_c are the corners of a triangle at rest, with mean c̄. The similar triangle that fits
-/// the intermediate triangle v_c' best is the triangle at rest times
+/// The fitting in closed form (Igarashi et al. 2005, section 4.2.1). Points x + iy are complex
+/// numbers, and p_c are the corners of a triangle at rest, with mean c̄. The similar triangle that
+/// fits the intermediate triangle v_c' best is the triangle at rest times
 ///   s = Σ_c conj(p_c − c̄) v_c' / Σ_c |p_c − c̄|².
 /// The congruent triangle is the triangle at rest times the rotation R = s / |s|.
 class TriangleFit {

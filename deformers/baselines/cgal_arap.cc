@@ -38,7 +38,7 @@ namespace {
 
 constexpr const char* kMethod = "as-rigid-as-possible deformation";
 constexpr double kNegligible = 1e-24;  // a smaller energy counts as 0 [SpokesAndRims::scale]
-// The least allowed twice area of a triangle [square of its longest side]. The cotangent weights of
+// Twice the least allowed area of a triangle [square of its longest side]. The cotangent weights of
 // a thinner one would leave no correct digit of the solution.
 constexpr double kThinnest = 1e-10;
 

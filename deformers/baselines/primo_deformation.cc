@@ -16,8 +16,8 @@ namespace deformlab {
 namespace {
 
 constexpr double kSamePosition = 1e-6;  // a smaller distance counts as 0 [mean side]
-// The least twice area [square of the longest side] of a triangle whose corners determine the
-// rotation of its prism.
+// Twice the least area of a triangle whose corners determine the rotation of its prism [square of
+// its longest side].
 constexpr double kThinnest = 1e-6;
 
 }  // namespace

@@ -39,8 +39,9 @@ struct PrimoOptions {
 /// of a vertex is the mean over the prisms around it. The method needs triangles, which may form
 /// any surface.
 ///
-/// The energy of the joints is minimised by the paper's global shape matching: Gauss–Newton steps
-/// over velocities, each of which is projected to rigid motions and halved until the energy falls.
+/// The energy of the joints is minimised by the paper's global shape matching with second
+/// derivatives: Newton steps over velocities, each of which is projected to rigid motions and
+/// halved until the energy falls.
 /// The paper makes large meshes interactive by a hierarchical multigrid solver and by local shape
 /// matching. These are not implemented: every step factorizes the whole system.
 ///

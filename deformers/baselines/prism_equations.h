@@ -18,9 +18,9 @@ struct Pin {
   Eigen::Vector3d target;  ///< [length]
 };
 
-/// The energy E of joints and pins as a function of the prisms' motions, and its Gauss–Newton
-/// steps. A step minimises E over velocities, in which the motions are linearized (the global shape
-/// matching of Botsch, Pauly, Gross and Kobbelt 2006). Fixed prisms have no velocity.
+/// The energy E of joints and pins as a function of the prisms' motions, and its Newton steps. A
+/// step minimises a quadratic model of E over velocities, which is the global shape matching of
+/// Botsch, Pauly, Gross and Kobbelt 2006 with second derivatives. Fixed prisms have no velocity.
 class PrismEquations {
  public:
   /// Finds the fill-reducing order. `prisms` has to outlive this object.

@@ -5,9 +5,9 @@
 
 namespace deformlab {
 
-/// Minimises E by Gauss–Newton steps from the given motions and sets them to the result. Each step
-/// is halved until E falls. The iteration ends when the three conditions of Sumner et al. 2007, Eq.
-/// 12, hold.
+/// Minimises E from the given motions and sets them to the result. Steps are Newton steps, or leave
+/// out the concave part where the second derivative is not positive definite. Each is halved until
+/// E falls. The iteration ends when the three conditions of Sumner et al. 2007, Eq. 12, hold.
 Summary minimize(PrismEquations& equations, RigidMotions& motions, double epsilon,
                  int max_iterations);
 

@@ -45,8 +45,7 @@ class DepthOrder {
   /// overlap never have the same depth, so that triangles of one depth can be drawn together. A
   /// triangle that overlaps none takes the depth of the nearest one of its sheet that does, so that
   /// depths change far from the overlaps. Where there are too many pairs of triangles, depths are
-  /// ranks in the predefined order. Throws InputError as OverlapFinder does, and changes nothing
-  /// then.
+  /// ranks in the predefined order. Where OverlapFinder throws InputError, nothing changes.
   const Eigen::VectorXd& update(const Eigen::Matrix2Xd& V);
   /// Forgets which sheets were in front.
   void reset();

@@ -48,8 +48,7 @@ class EmbeddedDeformation final : public Deformer {
   /// The vertex at each node, as in BuiltGraph.
   const std::vector<int>& node_vertices() const { return node_vertices_; }
   Transformations transformations() const;  ///< 3×4m, t_j [length]
-  /// The positions (3×p) of the handles that are points under the transformations X (3×4m)
-  /// [length].
+  /// The positions (3×p) [length] to which X (3×4m) moves the handles that are points.
   Eigen::Matrix3Xd points(const Transformations& X) const;
   const Problem& problem() const { return problem_; }  ///< lengths are in units of length_unit()
   double length_unit() const { return unit_; }
