@@ -18,7 +18,7 @@ std::string extension_of(const std::filesystem::path& path);
 
 /// A file that appears whole or not at all. The bytes go to a temporary file in the same folder,
 /// and `commit` moves it to its place. Without a commit the target stays what it was. A symbolic
-/// link is followed, and an older file passes its permissions on.
+/// link is followed, and the permissions of an older file are kept.
 class AtomicFile {
  public:
   /// Throws InputError where the folder is missing or not writable, or the target is not a file.

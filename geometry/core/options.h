@@ -91,8 +91,7 @@ class FieldVisitor {
   void range(const char* name, T& value, const Range& range, const char* meaning) {
     self().field({name, meaning, range}, value);
   }
-  /// A text that is one of an open set of names. A closed set is an enumeration, which operator()
-  /// accepts.
+  /// A text that is one of an open set of names. For a closed set use an enumeration.
   template <class T>
   void choice(const char* name, T& value, std::vector<std::string> names, const char* meaning) {
     self().field({name, meaning, {}, std::move(names)}, value);

@@ -15,8 +15,7 @@ class PairTable {
 
   /// The number of the pair, or kNone where it has none.
   int find(int a, int b) const { return slots_.empty() ? kNone : slots_[place(key(a, b))].number; }
-  /// The number that the pair already has. Where it has none, gives it `number` (≥ 0) and returns
-  /// kNone.
+  /// The number that the pair already has. Otherwise gives it `number` (≥ 0) and returns kNone.
   int enter(int a, int b, int number) {
     if (2 * count_ >= slots_.size()) grow();
     Slot& slot = slots_[place(key(a, b))];
@@ -40,8 +39,7 @@ class PairTable {
     const auto [low, high] = a < b ? std::pair(a, b) : std::pair(b, a);
     return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
   }
-  // The slot of the key, or the free one where it belongs. There are 2ⁿ slots, at least half of
-  // them free.
+  // The slot of the key, or the free one where it belongs. At least half of the 2ⁿ slots are free.
   std::size_t place(std::uint64_t of) const {
     std::uint64_t mixed = of * 0x9E3779B97F4A7C15;
     mixed ^= mixed >> 32;

@@ -50,8 +50,8 @@ class Lines {
 /// Whether a character separates words: a space, a tab, or the end of a line.
 constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// The index of the first character at or after `at` that is a blank, or that is none where `blank`
-/// is false; the text's size where there is none.
+/// The index of the first blank at or after `at`, or of the first character that is no blank where
+/// `blank` is false. Returns the text's size where there is none.
 std::size_t find_blank(std::string_view text, std::size_t at, bool blank = true);
 
 /// The word in quotation marks as messages show it: at most 40 bytes, unprintable ones replaced.

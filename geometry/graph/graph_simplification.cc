@@ -47,7 +47,7 @@ class EndPlacement {
   // The greatest aspect ratio among the triangles that change when `from` moves to `to`, or
   // infinity where that is not allowed.
   double worst_after(const Profile& edge, Mesh::Vertex_index from, Mesh::Vertex_index to) const {
-    const auto& star = edge.triangles();  // the first of them vanish
+    const auto& star = edge.triangles();  // begins with the triangles that vanish
     const std::size_t vanishing = edge.left_face_exists() + edge.right_face_exists();
     double before = max_, after = 1;
     for (std::size_t t = vanishing; t < star.size(); ++t) {

@@ -50,8 +50,7 @@ Eigen::Matrix3Xd transfer_positions(const Transformations& X, const Eigen::Matri
 
 void transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g, const Embedding& e,
                         Eigen::Matrix3Xd& result, int threads) {
-  // R_j (v − g_j) + g_j + t_j = R_j v + s_j needs one offset for each node, not one subtraction for
-  // each vertex.
+  // R_j (v − g_j) + g_j + t_j = R_j v + s_j needs one offset per node, no subtraction per vertex.
   std::vector<Columns> M(g.cols());
   for (Eigen::Index j = 0; j < g.cols(); ++j) {
     Numbers numbers(M[j].numbers);

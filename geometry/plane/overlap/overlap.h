@@ -44,10 +44,11 @@ struct Overlaps {
 /// exact, so that triangles that touch without a common area do not overlap.
 ///
 /// The paper grows regions from the points where the boundary crosses itself, but not every region
-/// has one. Every region does end where one of its sheets ends (at the boundary of the shape or of
-/// a hole) or turns over (at a fold between triangles of opposite orientation). So all regions are
-/// found from the triangles with such an edge. The time grows with the number of these triangles
-/// and of pairs, apart from a search of boxes (#F log² #F). Triangles without area are skipped.
+/// has such a point. Every region has an edge where one of its sheets ends (at the boundary of the
+/// shape or of a hole) or turns over (at a fold between triangles of opposite orientation), so that
+/// all regions are found from the triangles with such an edge. The time grows with the number of
+/// these triangles and of pairs, apart from a search of boxes (#F log² #F). Triangles without area
+/// are skipped.
 ///
 /// There may be #F² pairs. Where there are more than 16 #F + 2¹⁷ pairs, or candidates for a pair at
 /// such an edge, the search stops, and the result is empty and not `complete`.

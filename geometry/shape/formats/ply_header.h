@@ -16,7 +16,7 @@ struct PlyType {
 struct PlyProperty {
   std::string name;
   PlyType type;
-  std::optional<PlyType> count_type;  ///< of the length of a list; nothing where it is no list
+  std::optional<PlyType> count_type;  ///< the type of a list's length, if the property is a list
   ByteRange line;                     ///< in the header
 
   /// Whether it is the list of a face's vertices.
