@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solvers/linear/cholmod_solver.h"
+
 namespace deformlab {
 namespace {
 
@@ -61,7 +63,7 @@ PrismEquations::PrismEquations(const PrismLayer& prisms, std::vector<Pin> pins,
     : prisms_(prisms),
       pins_(std::move(pins)),
       index_(fixed.size(), -1),
-      solver_(make_linear_solver("cholmod")) {
+      solver_(std::make_unique<CholmodSolver>()) {
   int n = 0;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (!fixed[i]) index_[i] = n++;

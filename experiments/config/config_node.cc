@@ -139,6 +139,7 @@ class Converter {
   int count_ = 0;
 };
 
+/// Unlike read_file, this also reads a pipe, so that a shell can make the config of a run.
 std::string read_text(const std::filesystem::path& path) {
   const std::string cannot = "cannot read " + quote(path.string()) + ": ";
   std::error_code ignored;

@@ -6,15 +6,12 @@
 #include <cctype>
 
 #include "experiments/config/renamed_names.h"
+#include "geometry/core/text.h"
 
 namespace deformlab {
-namespace {
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
-}  // namespace
-
-int edit_distance(std::string_view a, std::string_view b) {
+int edit_distance(std::string_view given, std::string_view known) {
+  const std::string a = lower_case(given), b = lower_case(known);
   const std::size_t n = b.size();
   std::vector<int> before(n + 1), last(n + 1), row(n + 1);
   for (std::size_t j = 0; j <= n; ++j) row[j] = static_cast<int>(j);
@@ -23,10 +20,9 @@ int edit_distance(std::string_view a, std::string_view b) {
     last.swap(row);
     row[0] = static_cast<int>(i);
     for (std::size_t j = 1; j <= n; ++j) {
-      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      const bool same = a[i - 1] == b[j - 1];
       row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
-      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
-                           lower(a[i - 2]) == lower(b[j - 1]);
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
       if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }

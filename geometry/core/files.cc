@@ -32,6 +32,7 @@ std::string read_file(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (!fs::exists(status)) cannot_read(path, "no such file");
+  if (fs::is_directory(status)) cannot_read(path, "it is a folder");
   if (!fs::is_regular_file(status)) cannot_read(path, "it is not a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) cannot_read(path, std::strerror(errno));

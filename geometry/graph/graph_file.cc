@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -19,17 +17,6 @@
 
 namespace deformlab {
 namespace {
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  const bool is_folder = std::filesystem::is_directory(path, ignored);
-  if (!file || is_folder) {
-    throw InputError("cannot read the graph in '" + path.string() +
-                     (is_folder ? "': it is a folder" : "': no such file"));
-  }
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 class Reader {
  public:
@@ -165,7 +152,7 @@ class Reader {
 }  // namespace
 
 DeformationGraph read_graph(const std::filesystem::path& path) {
-  const std::string bytes = bytes_of(path);
+  const std::string bytes = read_file(path);
   return Reader(bytes, path.string()).run();
 }
 

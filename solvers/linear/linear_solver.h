@@ -1,9 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
+#include <Eigen/Core>
 
 #include "solvers/linear/sparse_matrix.h"
 
@@ -38,18 +35,5 @@ class LinearSolver {
 /// If the smallest pivot of a factor is less than this share of the largest, the matrix counts as
 /// singular in double precision.
 inline constexpr double kSingularRatio = 1e-14;
-
-/// Makes a linear solver that may use so many threads.
-using LinearSolverFactory = std::function<std::unique_ptr<LinearSolver>(int threads)>;
-
-/// From now on solver.linear_solver may be `name`: each Gauss–Newton step then factors JᵀJ with
-/// this solver. Throws InputError if the name is taken.
-void register_linear_solver(const std::string& name, LinearSolverFactory factory);
-
-/// "cholmod", "eigen_ldlt" or one that was registered. Throws InputError for any other name.
-std::unique_ptr<LinearSolver> make_linear_solver(const std::string& name, int threads = 1);
-
-/// The names that make_linear_solver knows.
-std::vector<std::string> linear_solver_names();
 
 }  // namespace deformlab

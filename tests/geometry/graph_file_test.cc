@@ -95,7 +95,7 @@ TEST(GraphFile, NodesThatCannotBe) {
 }
 
 TEST(GraphFile, FilesThatAreNone) {
-  EXPECT_THAT(refused(""), HasSubstr("it has no node"));
+  EXPECT_THAT(refused(""), HasSubstr("it is empty"));
   EXPECT_THAT(refused("hello\n"), HasSubstr("it has no node"));
   using namespace std::string_literals;
   EXPECT_THAT(refused("\0\xff\xfe v \n\0l 1 2"s), HasSubstr("it has no node"));

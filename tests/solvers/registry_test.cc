@@ -56,7 +56,7 @@ std::string error_of(const Call& call) {
 
 TEST_F(Registered, NamesAreUnique) {
   const auto dense = [](int) { return std::make_unique<DenseCholesky>(); };
-  for (const char* name : {"dense_cholesky", "cholmod"}) {
+  for (const char* name : {"dense_cholesky", "cholmod", "auto", "kronecker_cg"}) {
     EXPECT_THAT(error_of([&] { register_linear_solver(name, dense); }),
                 HasSubstr("'" + std::string(name) + "' already"));
   }

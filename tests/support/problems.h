@@ -1,12 +1,8 @@
 #pragma once
 
-#include <cmath>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "energies/catalog.h"
 #include "solvers/solver.h"
 #include "tests/support/samples.h"
 #include "tests/support/sparse_system.h"
@@ -14,67 +10,25 @@
 namespace deformlab::test {
 
 /// All terms that have a weight by default, at rest, with these targets of the handles.
-inline Problem make_problem(const Sample& sample, const Eigen::Matrix3Xd& targets) {
-  Problem problem{sample.rest(), std::vector<char>(sample.nodes(), 0), {}};
-  for (const EnergyInfo& info : known_energies()) {
-    if (info.default_weight == 0) continue;
-    problem.terms.push_back({make_energy(info.name, sample.context()), info.default_weight});
-    problem.terms.back().energy->set_targets(targets);
-  }
-  return problem;
-}
+Problem make_problem(const Sample& sample, const Eigen::Matrix3Xd& targets);
 
 /// A plate of m nodes that is twisted and lifted at one end so little that every solver succeeds.
-inline Problem twisted_plate(int m, unsigned seed = 1) {
-  const Sample sample = random_sample(m, 4, seed);
-  return make_problem(sample, twisted(sample.handles, 0.4, 0.3));
-}
+Problem twisted_plate(int m, unsigned seed = 1);
 
-inline SolverOptions gauss_newton(const std::string& linear_solver,
-                                  const std::string& globalization, double epsilon = 1e-6) {
-  return {.method = SolverMethod::kGaussNewton,
-          .linear_solver = linear_solver,
-          .globalization = globalization,
-          .epsilon = epsilon};
-}
-inline SolverOptions ceres_with(const std::string& linear_solver, double epsilon = 1e-6) {
-  return {.method = SolverMethod::kCeres, .linear_solver = linear_solver, .epsilon = epsilon};
-}
+SolverOptions gauss_newton(const std::string& linear_solver, const std::string& globalization,
+                           double epsilon = 1e-6);
+SolverOptions ceres_with(const std::string& linear_solver, double epsilon = 1e-6);
 
 /// Compiles and solves; the result is left in the problem.
-inline Summary solve(Problem& problem, const SolverOptions& options) {
-  const auto solver = make_solver(options);
-  solver->compile(problem);
-  return solver->solve(problem);
-}
+Summary solve(Problem& problem, const SolverOptions& options);
 
 /// The term of this name.
-inline WeightedEnergy& term(Problem& problem, std::string_view name) {
-  return *std::ranges::find_if(problem.terms,
-                               [&](const auto& one) { return one.energy->name() == name; });
-}
+WeightedEnergy& term(Problem& problem, std::string_view name);
 
 /// The problem's residuals and Jacobian over all entries of X.
-inline SparseSystem reference(const Problem& problem, const Unknowns& x) {
-  std::vector<WeightedTerm> terms;
-  for (const WeightedEnergy& term : problem.terms) {
-    terms.push_back({term.energy.get(), term.weight, term.loss.get()});
-  }
-  return sparse_system(terms, x);
-}
+SparseSystem reference(const Problem& problem, const Unknowns& x);
 
 /// #free × #entries: picks the entries of free nodes, in their order.
-inline Eigen::SparseMatrix<double> free_entries(const Problem& problem) {
-  std::vector<Eigen::Triplet<double>> ones;
-  const int d = problem.x.dimension();
-  for (int j = 0; j < problem.x.nodes(); ++j) {
-    for (int i = d * problem.x.first[j]; i < d * problem.x.first[j + 1] && !problem.fixed[j]; ++i) {
-      ones.emplace_back(static_cast<int>(ones.size()), i, 1);
-    }
-  }
-  Eigen::SparseMatrix<double> P(std::ssize(ones), problem.x.X.size());
-  P.setFromTriplets(ones.begin(), ones.end());
-  return P;
-}
+Eigen::SparseMatrix<double> free_entries(const Problem& problem);
 
 }  // namespace deformlab::test

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "experiments/subjects/animation/script.h"
 #include "geometry/core/options.h"
 
 namespace deformlab {
@@ -119,8 +120,17 @@ std::vector<Image> AnimationBook::sequence(int width) const {
   return pictures;
 }
 
-std::unique_ptr<Book> make_animation_book(const PictureOptions& options) {
-  return std::make_unique<AnimationBook>(options);
+SubjectKind animation_kind() {
+  SubjectKind kind{};
+  kind.file_key = "animation.file";
+  kind.meaningless = {"shape", "drawing", "paint", "cut", "drag", "depth", "output"};
+  kind.reads = [](const CommandLine&) { return false; };
+  kind.load_edit = put_script;
+  kind.set_defaults = [](const CommandLine&, ConfigNode&) {};
+  kind.make_book = [](const PictureOptions& options) -> std::unique_ptr<Book> {
+    return std::make_unique<AnimationBook>(options);
+  };
+  return kind;
 }
 
 }  // namespace deformlab

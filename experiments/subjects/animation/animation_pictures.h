@@ -98,6 +98,7 @@ class AnimationBook : public Book {
   std::map<int, std::vector<Panel>> sequence_;
 };
 
-std::unique_ptr<Book> make_animation_book(const PictureOptions& options);
+/// What all kinds of animations have in common.
+SubjectKind animation_kind();
 
 }  // namespace deformlab

@@ -220,24 +220,17 @@ class MeshSubject : public Subject {
 }  // namespace
 
 SubjectKind mesh_animation_kind() {
-  return {
-      .name = "a mesh animation",
-      .flag = kFlag,
-      .file_key = "animation.file",
-      .meaningless = {"shape", "drawing", "paint", "cut", "drag", "depth", "output"},
-      .is_in =
-          [](const RunOptions& options) {
-            const AnimationOptions& o = options.animation;
-            return o.generator == AnimationGenerator::kGallop ||
-                   o.file.find('%') != std::string::npos;
-          },
-      .reads = [](const CommandLine&) { return false; },
-      .load_edit = put_script,
-      .set_defaults = [](const CommandLine&, ConfigNode&) {},
-      .make = [](const RunOptions& options, const RunContext& context) -> std::unique_ptr<Subject> {
-        return std::make_unique<MeshSubject>(options, context);
-      },
-      .make_book = make_animation_book};
+  SubjectKind kind = animation_kind();
+  kind.name = "a mesh animation";
+  kind.flag = kFlag;
+  kind.is_in = [](const RunOptions& options) {
+    const AnimationOptions& o = options.animation;
+    return o.generator == AnimationGenerator::kGallop || o.file.find('%') != std::string::npos;
+  };
+  kind.make = [](const RunOptions& options, const RunContext& context) -> std::unique_ptr<Subject> {
+    return std::make_unique<MeshSubject>(options, context);
+  };
+  return kind;
 }
 
 }  // namespace deformlab

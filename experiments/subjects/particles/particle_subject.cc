@@ -150,24 +150,19 @@ void set_defaults(const CommandLine& line, ConfigNode& root) {
 }  // namespace
 
 SubjectKind particles_kind() {
-  return {
-      .name = "particles",
-      .flag = kFlag,
-      .file_key = "animation.file",
-      .meaningless = {"shape", "drawing", "paint", "cut", "drag", "depth", "output"},
-      .is_in =
-          [](const RunOptions& options) {
-            const AnimationOptions& o = options.animation;
-            return o.generator == AnimationGenerator::kJet ||
-                   (!o.file.empty() && o.file.find('%') == std::string::npos);
-          },
-      .reads = [](const CommandLine&) { return false; },
-      .load_edit = put_script,
-      .set_defaults = set_defaults,
-      .make = [](const RunOptions& options, const RunContext& context) -> std::unique_ptr<Subject> {
-        return std::make_unique<ParticleSubject>(options, context);
-      },
-      .make_book = make_animation_book};
+  SubjectKind kind = animation_kind();
+  kind.name = "particles";
+  kind.flag = kFlag;
+  kind.is_in = [](const RunOptions& options) {
+    const AnimationOptions& o = options.animation;
+    return o.generator == AnimationGenerator::kJet ||
+           (!o.file.empty() && o.file.find('%') == std::string::npos);
+  };
+  kind.set_defaults = set_defaults;
+  kind.make = [](const RunOptions& options, const RunContext& context) -> std::unique_ptr<Subject> {
+    return std::make_unique<ParticleSubject>(options, context);
+  };
+  return kind;
 }
 
 }  // namespace deformlab

@@ -7,7 +7,6 @@
 
 #include "solvers/gauss_newton/step_solvers/normal_matrix.h"
 #include "solvers/gauss_newton/step_solvers/step_solver.h"
-#include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 

@@ -7,22 +7,28 @@
 #include "solvers/gauss_newton/step_solvers/auto_steps.h"
 #include "solvers/gauss_newton/step_solvers/direct_steps.h"
 #include "solvers/gauss_newton/step_solvers/kronecker_cg.h"
+#include "solvers/linear/cholmod_solver.h"
+#include "solvers/linear/eigen_ldlt.h"
 #include "solvers/registry.h"
 
 namespace deformlab {
 namespace {
 
-auto& registry() {
-  static Registry<StepSolver, int> solvers(
-      "step solver", {
-                         {"auto", [](int threads) { return std::make_unique<AutoSteps>(threads); }},
-                         {"kronecker_cg", [](int) { return std::make_unique<KroneckerCg>(); }},
-                     });
-  return solvers;
+/// Each step factors JᵀJ with a solver that `make` gives.
+StepSolverFactory direct_steps(const std::string& name, LinearSolverFactory make) {
+  if (!make) return nullptr;
+  return [=](int threads) { return std::make_unique<DirectSteps>(name, make(threads)); };
 }
 
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
+auto& registry() {
+  const auto cholmod = [](int threads) { return std::make_unique<CholmodSolver>(threads); };
+  const auto eigen_ldlt = [](int) { return std::make_unique<EigenLdlt>(); };
+  static Registry<StepSolver, int> solvers(
+      "linear solver", {{"auto", [](int threads) { return std::make_unique<AutoSteps>(threads); }},
+                        {"cholmod", direct_steps("cholmod", cholmod)},
+                        {"eigen_ldlt", direct_steps("eigen_ldlt", eigen_ldlt)},
+                        {"kronecker_cg", [](int) { return std::make_unique<KroneckerCg>(); }}});
+  return solvers;
 }
 
 }  // namespace
@@ -41,27 +47,19 @@ void StepSolver::diagonal(const Linearization& linearization, Eigen::VectorXd& D
 }
 
 void register_step_solver(const std::string& name, StepSolverFactory factory) {
-  if (has(linear_solver_names(), name)) {
-    throw InputError(
-        fmt::format("there is a linear solver '{}' already; choose another name", name));
-  }
   registry().add(name, std::move(factory));
+}
+
+void register_linear_solver(const std::string& name, LinearSolverFactory factory) {
+  registry().add(name, direct_steps(name, std::move(factory)));
 }
 
 std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads) {
   if (registry().has(name)) return registry().make(name, threads);
-  if (has(linear_solver_names(), name)) {
-    return std::make_unique<DirectSteps>(name, make_linear_solver(name, threads));
-  }
   throw InputError(fmt::format("solver.linear_solver '{}' is not one of gauss_newton's; known: {}",
                                name, fmt::join(step_solver_names(), ", ")));
 }
 
-std::vector<std::string> step_solver_names() {
-  std::vector<std::string> names = registry().names();
-  const std::vector<std::string> linear = linear_solver_names();
-  names.insert(names.begin() + 1, linear.begin(), linear.end());  // after auto
-  return names;
-}
+std::vector<std::string> step_solver_names() { return registry().names(); }
 
 }  // namespace deformlab

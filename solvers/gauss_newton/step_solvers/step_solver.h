@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solvers/gauss_newton/linearization/linearization.h"
+#include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 
@@ -64,12 +65,17 @@ class StepSolver {
 /// Makes a step solver that may use so many threads.
 using StepSolverFactory = std::function<std::unique_ptr<StepSolver>(int threads)>;
 
-/// From now on solver.linear_solver may be `name`. Throws InputError if the name is taken. A linear
-/// solver for an assembled JᵀJ needs no step solver: see register_linear_solver.
+/// Makes a linear solver that may use so many threads.
+using LinearSolverFactory = std::function<std::unique_ptr<LinearSolver>(int threads)>;
+
+/// From now on solver.linear_solver may be `name`. Throws InputError if the name is taken.
 void register_step_solver(const std::string& name, StepSolverFactory factory);
 
-/// "auto", "kronecker_cg", the name of a linear solver, or one that was registered. Throws
-/// InputError for any other name; the message lists the known ones.
+/// The same for a linear solver, with which each step then factors JᵀJ (DirectSteps).
+void register_linear_solver(const std::string& name, LinearSolverFactory factory);
+
+/// "auto", "cholmod", "eigen_ldlt", "kronecker_cg", or one that was registered. Throws InputError
+/// for any other name; the message lists the known ones.
 std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads = 1);
 
 /// The names that make_step_solver knows.
