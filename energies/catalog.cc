@@ -9,6 +9,7 @@
 #include "energies/all.h"
 #include "energies/register_energy.h"
 #include "geometry/core/error.h"
+#include "geometry/core/options.h"
 
 namespace deformlab {
 namespace {
@@ -78,8 +79,8 @@ void check_settings(const std::map<std::string, TermSettings>& energies) {
     check_option_names(name, energy_info(name).options, settings.options);
     const double weight = settings.weight.value_or(0);
     if (weight >= 0 && std::isfinite(weight)) continue;
-    throw InputError(
-        fmt::format("energies.{} is {}; a weight is a number of 0 or more", name, weight));
+    throw OptionError(fmt::format("energies.{}", name), fmt::format("{}", weight),
+                      "; a weight is a number of at least 0");
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "deformers/arap_2d/connectivity.h"
 #include "geometry/core/error.h"
-#include "solvers/linear/cholmod_solver.h"
+#include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 namespace {
@@ -55,7 +55,7 @@ RegisteredMesh::RegisteredMesh(const Triangulation& mesh, const Eigen::VectorXd&
 
 void RegisteredMesh::sort_vertices(const Triangulation& mesh, const Eigen::VectorXd& weights) {
   const Eigen::Index n = mesh.V.cols();
-  order = n > kFewVertices ? CholmodSolver().order(pattern_of_H(n, mesh.F))
+  order = n > kFewVertices ? make_cholmod()->order(pattern_of_H(n, mesh.F))
                            : Eigen::VectorXi::LinSpaced(n, 0, static_cast<int>(n) - 1);
   index.resize(n);
   for (int i = 0; i < n; ++i) index[order[i]] = i;

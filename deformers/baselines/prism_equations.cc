@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "solvers/linear/cholmod_solver.h"
-
 namespace deformlab {
 namespace {
 
@@ -60,10 +58,7 @@ Eigen::Matrix3d convex_part(const Eigen::Matrix3d& K) {
 
 PrismEquations::PrismEquations(const PrismLayer& prisms, std::vector<Pin> pins,
                                const std::vector<char>& fixed)
-    : prisms_(prisms),
-      pins_(std::move(pins)),
-      index_(fixed.size(), -1),
-      solver_(std::make_unique<CholmodSolver>()) {
+    : prisms_(prisms), pins_(std::move(pins)), index_(fixed.size(), -1), solver_(make_cholmod()) {
   int n = 0;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (!fixed[i]) index_[i] = n++;

@@ -62,8 +62,8 @@ struct Constraint {
     const Embedding& handles = context.handles;
     const auto k = handles.nodes.rows();
     return over_handles<Constraint>(context, [&](int l) {
-      const Point v = handles.v.col(l).template head<d>();
-      Constraint c{v, v, {}, {}, l};
+      const Point rest = handles.v.col(l).template head<d>();
+      Constraint c{rest, rest, {}, {}, l};
       c.w.head(k) = handles.weights.col(l);
       c.g.leftCols(k) = context.graph.g(Eigen::all, handles.nodes.col(l)).template topRows<d>();
       return c;

@@ -158,22 +158,26 @@ void check_experiment(const std::filesystem::path& path, const std::vector<Overr
 
 Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        const Progress& progress) {
-  const auto [config, combinations, options, roots, reference] = plan(path, overrides);
+  const Plan planned = plan(path, overrides);
   Outcome outcome;
-  outcome.config = config;
+  outcome.config = planned.config;
   outcome.resolved = to_node(outcome.config);
   const Library library(outcome.config.run.picture);
-  for (std::size_t i = 0; i < options.size(); ++i) {
+  const std::size_t count = planned.runs.size();
+  for (std::size_t i = 0; i < count; ++i) {
     MeasuredRun settings;
-    settings.settings = combinations[i].settings;
-    progress(i + 1, options.size(), label(settings));
-    const std::string caption = options.size() > 1 ? label(settings) : "deformed";
-    outcome.runs.push_back(with_lines_of(
-        roots[i], [&] { return run(options[i], path.parent_path(), caption, library); }));
+    settings.settings = planned.combinations[i].settings;
+    progress(i + 1, count, label(settings));
+    const std::string caption = count > 1 ? label(settings) : "deformed";
+    outcome.runs.push_back(with_lines_of(planned.roots[i], [&] {
+      return run(planned.runs[i], path.parent_path(), caption, library);
+    }));
     outcome.runs.back().measured.settings = settings.settings;
   }
-  for (Run& run : outcome.runs) {
-    if (reference) run.measured.metrics.merge(difference(run, outcome.runs[*reference]));
+  if (planned.reference) {
+    for (Run& run : outcome.runs) {
+      run.measured.metrics.merge(difference(run, outcome.runs[*planned.reference]));
+    }
   }
   const std::vector<MeasuredRun> measured = with_seconds(outcome.runs);
   for (const Claim& claim : outcome.config.claims) outcome.claims.push_back(check(claim, measured));

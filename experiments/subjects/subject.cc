@@ -4,7 +4,6 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "experiments/subjects/animation/mesh_subject.h"
 #include "experiments/subjects/drawing/drawing_subject.h"
@@ -26,17 +25,21 @@ const std::vector<SubjectKind>& subject_kinds() {
 
 // The first kind takes whatever no other does, so that it is asked last.
 const SubjectKind& kind_of(const RunOptions& options) {
-  for (const SubjectKind& kind : std::views::reverse(subject_kinds())) {
-    if (kind.is_in(options)) return kind;
-  }
-  return subject_kinds().front();
+  const std::vector<SubjectKind>& kinds = subject_kinds();
+  const auto kind = std::find_if(kinds.rbegin(), kinds.rend(),
+                                 [&](const SubjectKind& one) { return one.is_in(options); });
+  return kind == kinds.rend() ? kinds.front() : *kind;
 }
 
 const SubjectKind& kind_of(const CommandLine& line, std::string_view flag) {
-  for (const SubjectKind& kind : std::views::reverse(subject_kinds())) {
-    if (flag == kind.flag && (!flag.empty() || kind.reads(line))) return kind;
+  const std::vector<SubjectKind>& kinds = subject_kinds();
+  const auto kind = std::find_if(kinds.rbegin(), kinds.rend(), [&](const SubjectKind& one) {
+    return flag == one.flag && (!flag.empty() || one.reads(line));
+  });
+  if (kind == kinds.rend()) {
+    throw InputError(fmt::format("no kind of subject is read by --{}", flag));
   }
-  throw InputError(fmt::format("no kind of subject is read by --{}", flag));
+  return *kind;
 }
 
 std::string Subject::failure() const {

@@ -105,4 +105,8 @@ void CholmodSolver::solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) {
 
 long CholmodSolver::nonzeros() const { return static_cast<long>(cholmod_.common.lnz); }
 
+std::unique_ptr<LinearSolver> make_cholmod(int threads) {
+  return std::make_unique<CholmodSolver>(threads);
+}
+
 }  // namespace deformlab

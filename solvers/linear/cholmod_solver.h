@@ -14,7 +14,7 @@ class CholmodSolver final : public LinearSolver {
   CholmodSolver(const CholmodSolver&) = delete;
   CholmodSolver& operator=(const CholmodSolver&) = delete;
 
-  Eigen::VectorXi order(const SparseMatrix& lower, int group = 1, bool quick = false) override;
+  Eigen::VectorXi order(const SparseMatrix& lower, int group, bool quick) override;
   void analyze(const SparseMatrix& lower) override;
   bool factorize(const SparseMatrix& lower) override;
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "solvers/linear/sparse_matrix.h"
 
@@ -35,5 +36,8 @@ class LinearSolver {
 /// If the smallest pivot of a factor is less than this share of the largest, the matrix counts as
 /// singular in double precision.
 inline constexpr double kSingularRatio = 1e-14;
+
+/// A CholmodSolver, for code that does not know the headers of CHOLMOD.
+std::unique_ptr<LinearSolver> make_cholmod(int threads = 1);
 
 }  // namespace deformlab

@@ -8,7 +8,7 @@
 
 #include "solvers/ceres/ceres_solver.h"
 #include "solvers/gauss_newton/step_solvers/normal_matrix.h"
-#include "solvers/linear/cholmod_solver.h"
+#include "solvers/linear/linear_solver.h"
 
 namespace deformlab::test {
 
@@ -45,7 +45,7 @@ NormalSystem normal_system(const Problem& problem, const Unknowns& x, bool reord
   Linearization linearization(problem,
                               reordered ? ColumnOrder::kFillReducing : ColumnOrder::kAsGiven);
   NormalMatrix matrix(linearization, [&](const SparseMatrix& lower) {
-    return reordered ? CholmodSolver().order(lower) : as_given(lower);
+    return reordered ? make_cholmod()->order(lower) : as_given(lower);
   });
   linearization.evaluate(x);
   linearization.linearize(x);

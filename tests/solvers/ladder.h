@@ -2,7 +2,7 @@
 
 #include "solvers/ceres/ceres_solver.h"
 #include "solvers/gauss_newton/step_solvers/normal_matrix.h"
-#include "solvers/linear/cholmod_solver.h"
+#include "solvers/linear/sparse_matrix.h"
 #include "tests/support/problems.h"
 
 // The rungs on which the two paths are compared, for any problem.

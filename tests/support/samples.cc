@@ -2,6 +2,8 @@
 
 #include <random>
 
+#include "tests/support/shapes.h"
+
 namespace deformlab::test {
 
 Triangulation shaken_grid(int n, unsigned seed) {

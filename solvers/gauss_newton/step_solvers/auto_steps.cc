@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "solvers/linear/cholmod_solver.h"
+#include "solvers/linear/linear_solver.h"
 
 namespace deformlab {
 namespace {
@@ -41,7 +41,7 @@ void AutoSteps::use_conjugate_gradients(std::string reason) {
 
 void AutoSteps::use_factorization(std::string reason) {
   iterative_.reset();
-  direct_ = std::make_unique<DirectSteps>("cholmod", std::make_unique<CholmodSolver>(threads_));
+  direct_ = std::make_unique<DirectSteps>("cholmod", make_cholmod(threads_));
   reason_ = std::move(reason);
 }
 

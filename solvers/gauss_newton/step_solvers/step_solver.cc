@@ -7,7 +7,6 @@
 #include "solvers/gauss_newton/step_solvers/auto_steps.h"
 #include "solvers/gauss_newton/step_solvers/direct_steps.h"
 #include "solvers/gauss_newton/step_solvers/kronecker_cg.h"
-#include "solvers/linear/cholmod_solver.h"
 #include "solvers/linear/eigen_ldlt.h"
 #include "solvers/registry.h"
 
@@ -21,11 +20,10 @@ StepSolverFactory direct_steps(const std::string& name, LinearSolverFactory make
 }
 
 auto& registry() {
-  const auto cholmod = [](int threads) { return std::make_unique<CholmodSolver>(threads); };
   const auto eigen_ldlt = [](int) { return std::make_unique<EigenLdlt>(); };
   static Registry<StepSolver, int> solvers(
       "linear solver", {{"auto", [](int threads) { return std::make_unique<AutoSteps>(threads); }},
-                        {"cholmod", direct_steps("cholmod", cholmod)},
+                        {"cholmod", direct_steps("cholmod", make_cholmod)},
                         {"eigen_ldlt", direct_steps("eigen_ldlt", eigen_ldlt)},
                         {"kronecker_cg", [](int) { return std::make_unique<KroneckerCg>(); }}});
   return solvers;
