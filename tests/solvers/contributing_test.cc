@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 // Extracted from CONTRIBUTING.md when the tests are configured.
 #include "energies/graph/volume.h"
 #include "energies/term_energy.h"

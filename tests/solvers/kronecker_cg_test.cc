@@ -2,6 +2,7 @@
 
 #include "energies/term_energy.h"
 #include "tests/solvers/ladder.h"
+#include "tests/support/shapes.h"
 
 namespace deformlab::test {
 namespace {

@@ -1,5 +1,9 @@
 #include "tests/solvers/ladder.h"
 
+#include <gtest/gtest.h>
+
+#include "tests/support/shapes.h"
+
 namespace deformlab::test {
 namespace {
 

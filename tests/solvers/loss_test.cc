@@ -1,5 +1,7 @@
 #include "solvers/loss.h"
 
+#include <gtest/gtest.h>
+
 #include "geometry/core/error.h"
 #include "tests/solvers/ladder.h"
 

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "energies/catalog.h"
 #include "geometry/core/error.h"
 #include "tests/solvers/ladder.h"
 

@@ -5,6 +5,7 @@
 
 #include "geometry/core/error.h"
 #include "tests/support/problems.h"
+#include "tests/support/shapes.h"
 
 namespace deformlab::test {
 namespace {
