@@ -78,13 +78,18 @@ void ComponentSolver::update(const Eigen::Matrix2Xd& targets, int refinements,
     }
     Stopwatch watch(seconds.step_two);
     const int repetitions = motion_ == ComponentMotion::kDeformation ? refinements : 0;
+    refined_ = repetitions > 0;
     for (int i = 0; i <= repetitions; ++i) {
-      if (i > 0) mesh_->fit.fit(z_);
+      if (i > 0) {
+        fitted_to_ = z_;
+        mesh_->fit.fit(fitted_to_);
+      }
       mesh_->fit.assemble(z_);
       system_->step_two(q_, z_);
     }
   } else {
     z_ = translated();
+    refined_ = false;
   }
   write(z_, V);
 }
@@ -106,7 +111,8 @@ void ComponentSolver::write_intermediate(Eigen::Matrix2Xd& intermediate) const {
 
 void ComponentSolver::write_fitted(Eigen::Matrix2Xd& fitted) const {
   if (motion_ == ComponentMotion::kNone) return;
-  const Eigen::Matrix2Xd corners = mesh_->fit.corners(intermediate()).colwise() + origin_;
+  const Eigen::Matrix2Xd corners =
+      mesh_->fit.corners(refined_ ? fitted_to_ : intermediate()).colwise() + origin_;
   for (int f = 0; f < std::ssize(component_.triangles); ++f) {
     fitted.middleCols<3>(3 * component_.triangles[f]) = corners.middleCols<3>(3 * f);
   }

@@ -53,6 +53,8 @@ class ComponentSolver {
   // where all targets are one point.
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   Eigen::VectorXcd q_, z_;
+  Eigen::VectorXcd fitted_to_;  // the positions before the last repetition of step two, if refined_
+  bool refined_ = false;
 };
 
 }  // namespace deformlab

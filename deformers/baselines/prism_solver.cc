@@ -34,7 +34,7 @@ class Descent {
       Iteration iteration;
       Stopwatch watch(iteration.seconds);
       if (!find_direction(iteration)) {
-        return {Status::kFailed, "JᵀJ cannot be factorized, however damped"};
+        return {Status::kFailed, "the Hessian cannot be factorized, however damped"};
       }
       if (!step(iteration)) return {Status::kStalled, "no step along the direction lowers E"};
       linearize();
