@@ -16,7 +16,7 @@ inline void count_heap_call() {
 
 }  // namespace deformlab::test
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef DEFORMLAB_SANITIZED
 // A sanitizer owns malloc: here operator new has to do, and Eigen's calls, which are to malloc, go
 // uncounted.
 void* operator new(size_t size, const std::nothrow_t&) noexcept {

@@ -1,7 +1,8 @@
 #include "geometry/plane/overlap/overlap_measure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <string>
 
 #include "geometry/core/error.h"
 #include "geometry/plane/overlap/overlap_triangles.h"
@@ -58,8 +59,9 @@ double area_in_front(const Slope& a, const Slope& b, double both) {
 
 Eigen::Matrix3Xd vertex_depths(const Eigen::Matrix3Xi& F, const Eigen::VectorXd& depth) {
   if (F.size() > 0 && (F.minCoeff() < 0 || F.maxCoeff() >= depth.size())) {
-    throw InputError("there are depths of " + std::to_string(depth.size()) +
-                     " vertices; triangles name vertex " + std::to_string(F.maxCoeff()));
+    throw InputError(
+        fmt::format("there are depths of {} vertices; triangles name vertices {} to {}",
+                    depth.size(), F.minCoeff(), F.maxCoeff()));
   }
   Eigen::Matrix3Xd result(3, F.cols());
   result.reshaped() = depth(F.reshaped());
