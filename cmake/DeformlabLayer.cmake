@@ -17,7 +17,8 @@ foreach(alarm array-bounds maybe-uninitialized restrict stringop-overflow string
   target_compile_options(deformlab_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-${alarm}>)
 endforeach()
 if(DEFORMLAB_SANITIZE)
-  add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-omit-frame-pointer)
+  add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${DEFORMLAB_SANITIZE})
 endif()
 # Arrays of Eigen pass between our code, the packaged Ceres, and the code of our users, and each

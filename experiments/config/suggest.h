@@ -7,8 +7,8 @@
 
 namespace deformlab {
 
-/// Fewest insertions, deletions, substitutions and swaps of neighbours that turn `given` into `known`,
-/// upper and lower case counting as equal (the optimal string alignment distance).
+/// The least number of insertions, deletions, substitutions and swaps of neighbours that turn
+/// `given` into `known`, where upper and lower case are equal (optimal string alignment distance).
 int edit_distance(std::string_view given, std::string_view known);
 
 /// The known name that `given` was most likely meant to be; nothing where none is near. Of equally

@@ -40,10 +40,10 @@ DEFORMLAB_INLINE void look_ahead(const auto& b, std::ptrdiff_t i) {
 template <int columns>
 DEFORMLAB_INLINE void add(const Columns& M, double w, const double* v, SimdBlock& sum) {
   const double* m = M.numbers;
-  SimdBlock there = columns == 4 ? SimdBlock(simd_block(m + 12)) : SimdBlock{};
-  there += v[0] * simd_block(m);
-  there += v[1] * simd_block(m + 4);
-  there += v[2] * simd_block(m + 8);
+  SimdBlock there = columns == 4 ? simd_block(m + 12).v : SimdBlock{};
+  there += v[0] * simd_block(m).v;
+  there += v[1] * simd_block(m + 4).v;
+  there += v[2] * simd_block(m + 8).v;
   sum += w * there;
 }
 
@@ -113,7 +113,7 @@ DEFORMLAB_INLINE void blend_four(const auto& b, std::ptrdiff_t i, int count, Raw
 DEFORMLAB_INLINE void store_unit(const auto& b, std::ptrdiff_t i, int count, const Raw& raw,
                                  double* result) {
   Eigen::Array4d scale;
-  simd_block(scale.data()) = raw.squares;
+  simd_block(scale.data()).v = raw.squares;
   scale = scale.sqrt().inverse();
   for (int l = 0; l < count; ++l) {
     const double* v = b.v + 3 * (i + l);

@@ -11,10 +11,10 @@ double dot4(const double* x, const double* y, std::ptrdiff_t n) {
   SimdBlock even = {}, odd = {};
   std::ptrdiff_t c = 0;
   for (; c + 1 < n; c += 2, x += 8, y += 8) {
-    even += simd_block(x) * simd_block(y);
-    odd += simd_block(x + 4) * simd_block(y + 4);
+    even += simd_block(x).v * simd_block(y).v;
+    odd += simd_block(x + 4).v * simd_block(y + 4).v;
   }
-  if (c < n) even += simd_block(x) * simd_block(y);
+  if (c < n) even += simd_block(x).v * simd_block(y).v;
   even += odd;
   return (even[0] + even[1]) + (even[2] + even[3]);
 }
@@ -33,14 +33,14 @@ DEFORMLAB_SIMD_DISPATCH
 void product4(const int* begin, const int* row, const double* value, std::ptrdiff_t n,
               const double* x, double* y) {
   for (std::ptrdiff_t c = 0; c < n; ++c) {
-    const SimdBlock xc = simd_block(x + 4 * c);
+    const SimdBlock xc = simd_block(x + 4 * c).v;
     SimdBlock sum = value[begin[c]] * xc;
     for (int k = begin[c] + 1; k < begin[c + 1]; ++k) {
       const std::ptrdiff_t at = 4 * std::ptrdiff_t(row[k]);
-      sum += value[k] * simd_block(x + at);
-      simd_block(y + at) += value[k] * xc;
+      sum += value[k] * simd_block(x + at).v;
+      simd_block(y + at).v += value[k] * xc;
     }
-    simd_block(y + 4 * c) += sum;
+    simd_block(y + 4 * c).v += sum;
   }
 }
 

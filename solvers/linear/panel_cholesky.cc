@@ -18,17 +18,25 @@ constexpr int kWidth = 4;  // the most columns in a panel
 
 // Four entries of a row of the panel under work, in registers and in memory.
 template <class Scalar>
-struct Four {
-  using Array = Eigen::Array<Scalar, 4, 1>;
-};
+struct Four;
 template <>
 struct Four<double> {
   using Array = SimdBlock;
 };
-const SimdBlockInMemory& four(const double* entries) { return simd_block(entries); }
-SimdBlockInMemory& four(double* entries) { return simd_block(entries); }
-auto four(const Complex* entries) { return Eigen::Map<const Eigen::Array<Complex, 4, 1>>(entries); }
-auto four(Complex* entries) { return Eigen::Map<Eigen::Array<Complex, 4, 1>>(entries); }
+template <>
+struct Four<Complex> {
+  using Array = Eigen::Array<Complex, 4, 1>;
+};
+DEFORMLAB_INLINE void read(const double* entries, SimdBlock& four) { four = simd_block(entries).v; }
+DEFORMLAB_INLINE void read(const Complex* entries, Four<Complex>::Array& four) {
+  four = Eigen::Map<const Four<Complex>::Array>(entries);
+}
+DEFORMLAB_INLINE void subtract(const SimdBlock& four, double* entries) {
+  simd_block(entries).v -= four;
+}
+DEFORMLAB_INLINE void subtract(const Four<Complex>::Array& four, Complex* entries) {
+  Eigen::Map<Four<Complex>::Array>{entries} -= four;
+}
 
 double conjugate(double a) { return a; }
 Complex conjugate(const Complex& a) { return std::conj(a); }
@@ -41,11 +49,11 @@ DEFORMLAB_INLINE void subtract_rows(const int* row, int rows, const Scalar* valu
                                     const Scalar* coefficient, const int* position, Scalar* work) {
   using Array = typename Four<Scalar>::Array;
   Array c[width];
-  for (int q = 0; q < width; ++q) c[q] = four(coefficient + 4 * q);
+  for (int q = 0; q < width; ++q) read(coefficient + 4 * q, c[q]);
   for (int r = 0; r < rows; ++r, value += width) {
     Array sum = value[0] * c[0];
     for (int q = 1; q < width; ++q) sum += value[q] * c[q];
-    four(work + 4 * std::ptrdiff_t(position[row[r]])) -= sum;
+    subtract(sum, work + 4 * std::ptrdiff_t(position[row[r]]));
   }
 }
 

@@ -14,17 +14,8 @@ using Four = SimdBlock;
 using Pair = double __attribute__((vector_size(16)));
 
 template <class Row>
-struct InMemory {
-  using Type = double __attribute__((vector_size(16), aligned(8), may_alias));
-};
-template <>
-struct InMemory<Four> {
-  using Type = SimdBlockInMemory;
-};
-
-template <class Row>
-DEFORMLAB_INLINE typename InMemory<Row>::Type& at(double* z, std::ptrdiff_t row) {
-  return reinterpret_cast<typename InMemory<Row>::Type*>(z)[row];
+DEFORMLAB_INLINE InMemory<Row>& at(double* z, std::ptrdiff_t row) {
+  return reinterpret_cast<InMemory<Row>*>(z)[row];
 }
 
 // iz = i z, which only products with complex numbers need.
@@ -66,17 +57,17 @@ DEFORMLAB_INLINE void forward(const AnyPanel& panel, const int* row, const Scala
                               double* z) {
   Row y[width], iy[width];
   for (int c = 0; c < width; ++c) {
-    Row sum = at<Row>(z, panel.first + c);
+    Row sum = at<Row>(z, panel.first + c).v;
     for (int b = 0; b < c; ++b) subtract_product(sum, *value++, y[b], iy[b]);
     y[c] = real(*value++) * sum;
     turn(value, y[c], iy[c]);
-    at<Row>(z, panel.first + c) = y[c];
+    at<Row>(z, panel.first + c).v = y[c];
   }
   for (int r = 0; r < panel.rows; ++r, value += width) {
     Row sum;
     set_product(sum, value[0], y[0], iy[0]);
     for (int c = 1; c < width; ++c) add_product(sum, value[c], y[c], iy[c]);
-    at<Row>(z, row[r]) -= sum;
+    at<Row>(z, row[r]).v -= sum;
   }
 }
 
@@ -86,9 +77,9 @@ DEFORMLAB_INLINE void backward(const AnyPanel& panel, const int* row, const Scal
                                double* z) {
   const Scalar* value = triangle + width * (width + 1) / 2;
   Row y[width], ix, iy;
-  for (int c = 0; c < width; ++c) y[c] = at<Row>(z, panel.first + c);
+  for (int c = 0; c < width; ++c) y[c] = at<Row>(z, panel.first + c).v;
   for (int r = 0; r < panel.rows; ++r, value += width) {
-    const Row x = at<Row>(z, row[r]);
+    const Row x = at<Row>(z, row[r]).v;
     turn(value, x, ix);
     for (int c = 0; c < width; ++c) subtract_product(y[c], conjugate(value[c]), x, ix);
   }
@@ -98,7 +89,7 @@ DEFORMLAB_INLINE void backward(const AnyPanel& panel, const int* row, const Scal
     for (int b = 0; b < c; ++b) {
       subtract_product(y[b], conjugate(triangle[c * (c + 1) / 2 + b]), y[c], iy);
     }
-    at<Row>(z, panel.first + c) = y[c];
+    at<Row>(z, panel.first + c).v = y[c];
   }
 }
 

@@ -11,14 +11,14 @@ DEFORMLAB_INLINE double sum(const double* a, const double* b, const int* column,
                             std::ptrdiff_t elements, const double* X, double weight, double* G) {
   SimdBlock E = {};
   for (std::ptrdiff_t e = 0; e < elements; ++e, a += n, b += 4, column += n) {
-    SimdBlock r = -simd_block(b);
+    SimdBlock r = -simd_block(b).v;
     for (std::ptrdiff_t c = 0; c < n; ++c)
-      r += a[c] * simd_block(X + 4 * std::ptrdiff_t(column[c]));
+      r += a[c] * simd_block(X + 4 * std::ptrdiff_t(column[c])).v;
     E += r * r;
     if (!derivative) continue;
     r *= weight;
     for (std::ptrdiff_t c = 0; c < n; ++c)
-      simd_block(G + 4 * std::ptrdiff_t(column[c])) += a[c] * r;
+      simd_block(G + 4 * std::ptrdiff_t(column[c])).v += a[c] * r;
   }
   return (E[0] + E[1]) + (E[2] + E[3]);
 }

@@ -47,7 +47,7 @@ void add_squares(const double* a, std::ptrdiff_t n, const int* elements, int cou
       const double scaled = weight * own[q];
       if (scaled == 0) continue;
       std::ptrdiff_t p = q - q % 4;
-      for (; p + 4 <= n; p += 4) simd_block(local + q * n + p) += scaled * simd_block(own + p);
+      for (; p + 4 <= n; p += 4) simd_block(local + q * n + p).v += scaled * simd_block(own + p).v;
       for (; p < n; ++p) local[q * n + p] += scaled * own[p];
     }
   }

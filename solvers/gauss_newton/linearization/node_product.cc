@@ -20,10 +20,10 @@ DEFORMLAB_INLINE void multiply(const int* rank, const double* JtJ, std::ptrdiff_
     for (int q = 0; q < count; ++q) {
       const double* x = p + 4 * std::ptrdiff_t(rank[q]);
       for (int i = 0; i < d; ++i, column += n) {
-        for (int c = 0; c < count; ++c) sum[c] += x[i] * simd_block(column + c * d);
+        for (int c = 0; c < count; ++c) sum[c] += x[i] * simd_block(column + c * d).v;
       }
     }
-    for (int c = 0; c < count; ++c) simd_block(Hp + 4 * std::ptrdiff_t(rank[c])) += own * sum[c];
+    for (int c = 0; c < count; ++c) simd_block(Hp + 4 * std::ptrdiff_t(rank[c])).v += own * sum[c];
   }
 }
 
