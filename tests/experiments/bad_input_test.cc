@@ -232,7 +232,7 @@ const Refusal kOptions[] = {
     bad_option("NaNEpsilon", "solver.epsilon=nan", {"finite number", "nan"}),
     bad_option("NoIterations", "solver.max_iterations=0", {"max_iterations is 0", "at least 1"}),
     bad_option("NegativeWeight", "energies.rotation=-1",
-               {"energies.rotation is -1 ('energies.rotation=-1')", "at least 0"}),
+               {"energies.rotation is -1 (override 'energies.rotation=-1')", "at least 0"}),
     bad_option("UnknownEnergy", "energies.rotatoin=2",
                {"unknown energy 'rotatoin'", "did you mean 'rotation'?"}),
     bad_option("UnknownLoss", "losses.constraint.kind=hubre",
