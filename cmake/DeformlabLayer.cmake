@@ -19,6 +19,9 @@ endforeach()
 if(DEFORMLAB_SANITIZE)
   add_compile_options(-fsanitize=${DEFORMLAB_SANITIZE} -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    add_compile_options(-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tests/sanitizers/ignored.txt)
+  endif()
   add_link_options(-fsanitize=${DEFORMLAB_SANITIZE})
 endif()
 # Arrays of Eigen pass between our code, the packaged Ceres, and the code of our users, and each

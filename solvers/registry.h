@@ -27,14 +27,14 @@ class Registry {
   /// Throws InputError for an empty name, one that is taken, and a factory that is empty.
   void add(const std::string& name, Factory factory) {
     if (name.empty()) throw InputError(fmt::format("a {} needs a name to be registered", kind_));
+    if (has(name)) {
+      throw InputError(fmt::format(
+          "there is a {} '{}' already; choose another name or register it once only", kind_, name));
+    }
     if (!factory) {
       throw InputError(
           fmt::format("the {} '{}' is registered without a factory; give a function that makes it",
                       kind_, name));
-    }
-    if (has(name)) {
-      throw InputError(fmt::format(
-          "there is a {} '{}' already; choose another name or register it once only", kind_, name));
     }
     const std::lock_guard lock(mutex_);
     factories_.emplace_back(name, std::move(factory));

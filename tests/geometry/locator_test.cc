@@ -57,7 +57,7 @@ TEST(Locator, FindsWhatEveryTriangleTriedInTurnGives) {
   std::uniform_real_distribution<double> uniform(-4, 14);
   int outside = 0;
   for (int i = 0; i < 500; ++i) {
-    const Eigen::Vector2d p(uniform(random), uniform(random));
+    const Eigen::Vector2d p{uniform(random), uniform(random)};
     const Located found = locate(p);
     EXPECT_NEAR(found.distance, distance_by_hand(mesh, p), 1e-3) << p.transpose();
     EXPECT_NEAR((place(mesh, found) - found.nearest).norm(), 0, 1e-14);

@@ -268,8 +268,8 @@ TEST(OverlapFinder, FindsAllPairsOfAnyDeformation) {
     SCOPED_TRACE(n);
     Eigen::Matrix2Xd V = mesh.V;  // bent by waves, some of which turn triangles over
     for (int wave = 0; wave < 3; ++wave) {
-      const Eigen::Vector2d k = Eigen::Vector2d(normal(random), normal(random)) / 40;
-      const Eigen::Vector2d u = 25 * Eigen::Vector2d(normal(random), normal(random));
+      const Eigen::Vector2d k = Eigen::Vector2d{normal(random), normal(random)} / 40;
+      const Eigen::Vector2d u = 25 * Eigen::Vector2d{normal(random), normal(random)};
       for (Eigen::Index i = 0; i < V.cols(); ++i) V.col(i) += std::sin(k.dot(mesh.V.col(i))) * u;
     }
     const Overlaps found = overlaps(mesh, V);

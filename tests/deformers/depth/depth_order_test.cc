@@ -267,8 +267,8 @@ TEST(DepthOrder, StacksAnyDeformation) {
   std::normal_distribution<double> normal;
   int overlapped = 0;
   for (int n = 0; n < 10; ++n) {
-    const Eigen::Vector2d k = Eigen::Vector2d(normal(random), normal(random)) / 30;
-    const Eigen::Vector2d u = 60 * Eigen::Vector2d(normal(random), normal(random));
+    const Eigen::Vector2d k = Eigen::Vector2d{normal(random), normal(random)} / 30;
+    const Eigen::Vector2d u = 60 * Eigen::Vector2d{normal(random), normal(random)};
     for (const double t : {0.5, 0.7, 0.9}) {  // frames of one motion
       Eigen::Matrix2Xd V = mesh.V;
       for (auto p : V.colwise()) p += t * std::sin(k.dot(p)) * u;
@@ -289,8 +289,8 @@ TEST(DepthOrder, SharesNoDepthEvenWhereSheetsLieInCircles) {
   for (int n = 0; n < 12; ++n) {
     Eigen::Matrix2Xd V = mesh.V;
     for (int wave = 0; wave < 3; ++wave) {
-      const Eigen::Vector2d k = Eigen::Vector2d(normal(random), normal(random)) / 20;
-      const Eigen::Vector2d u = 50 * Eigen::Vector2d(normal(random), normal(random));
+      const Eigen::Vector2d k = Eigen::Vector2d{normal(random), normal(random)} / 20;
+      const Eigen::Vector2d u = 50 * Eigen::Vector2d{normal(random), normal(random)};
       for (Index i = 0; i < V.cols(); ++i) V.col(i) += std::sin(k.dot(mesh.V.col(i))) * u;
     }
     depths.update(V);
