@@ -16,7 +16,7 @@ struct DrawingOutputOptions {
   bool grow = true;  ///< the page grows to hold the shape; else it stays, and what leaves it is cut
   /// Of a rigid shape, OUT.intermediate.obj and OUT.fitted.obj beside OUT: step one's mesh, and the
   /// triangles fitted to it, each for itself (Igarashi et al. 2005, Figure 3).
-  bool stages = false;
+  bool steps = false;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -25,8 +25,8 @@ struct DrawingOutputOptions {
                 "drawing [pixel/length]");
     visit("grow", o.grow,
           "Whether the page grows to hold the shape; otherwise what leaves the page is cut off");
-    visit("stages", o.stages,
-          "Whether the meshes of arap_2d's stages are written beside the drawing, as "
+    visit("steps", o.steps,
+          "Whether the results of arap_2d's steps are written beside the drawing, as "
           "OUT.intermediate.obj and OUT.fitted.obj");
   }
 };

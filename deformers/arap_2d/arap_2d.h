@@ -18,7 +18,7 @@ enum class TwoStepMethod { kClosedForm, kGeneralSolver };
 constexpr auto names_of(TwoStepMethod) {
   using enum TwoStepMethod;
   return std::to_array<EnumName<TwoStepMethod>>(
-      {{kClosedForm, "closed_form"}, {kGeneralSolver, "stages"}});
+      {{kClosedForm, "closed_form"}, {kGeneralSolver, "general_solver"}});
 }
 
 /// The options of as-rigid-as-possible manipulation of drawings.
@@ -33,14 +33,14 @@ struct Arap2dOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit(
-        "steps", o.steps,
-        "How the two steps of the method are computed: in closed form, or as stages that a general "
-        "solver minimises, to compare with");
+    visit("steps", o.steps,
+          "How the two steps of the method are computed: in closed form, or as problems that a "
+          "general "
+          "solver minimises, to compare with");
     visit.range("refinements", o.refinements, {.min = 0, .max = 100'000},
                 "How often step two is repeated with rotations fitted to its own result; the paper "
                 "does not repeat it");
-    visit("solver", o.solver, "The solver that minimises the stages");
+    visit("solver", o.solver, "The solver that minimises the problems of the two steps");
   }
 };
 

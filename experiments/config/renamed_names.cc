@@ -14,6 +14,9 @@ constexpr std::array kRenamed{
     Renamed{"rigid_shape", "arap_2d"},
     Renamed{"arap", "cgal_arap"},
     Renamed{"graph.adaptive", "adaptive"},
+    Renamed{"picture.stages", "picture.steps"},
+    Renamed{"output.stages", "output.steps"},
+    Renamed{"stages", "general_solver"},
 };
 
 }  // namespace

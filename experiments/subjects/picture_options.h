@@ -27,7 +27,7 @@ struct PictureOptions {
   PicturedGraph graph = PicturedGraph::kRest;
   bool frames = false;
   bool rest = true;
-  bool stages = false;
+  bool steps = false;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -46,7 +46,7 @@ struct PictureOptions {
     visit("frames", o.frames,
           "Whether a square at each node, which lies along x and z at rest, shows its R_j");
     visit("rest", o.rest, "Whether the first panel shows the rest shape");
-    visit("stages", o.stages,
+    visit("steps", o.steps,
           "Whether arap_2d has panels of step one's result and of the fitted triangles");
   }
 };

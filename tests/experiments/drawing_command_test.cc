@@ -220,7 +220,7 @@ TEST_F(DrawingCommand, SaysThatDetachedPartsAreLeftOut) {
 TEST_F(DrawingCommand, WritesTheStages) {
   put_bitmap("bar.png", bar());
   Words words = deform("bar.png", kEdit, "out.obj");
-  words.push_back("output.stages=true");
+  words.push_back("output.steps=true");
   expect_success(words);
   const Shape result = read_shape(place("out.obj"));
   const Shape intermediate = read_shape(place("out.intermediate.obj"));
@@ -229,7 +229,7 @@ TEST_F(DrawingCommand, WritesTheStages) {
   EXPECT_EQ(fitted.V.cols(), 3 * std::ssize(result.faces));
   EXPECT_GT((intermediate.V - result.V).norm(), 1e-3);
   words.push_back("deformer=embedded_deformation");
-  expect_refused(words, {"output.stages", "arap_2d"});
+  expect_refused(words, {"output.steps", "arap_2d"});
 }
 
 TEST_F(DrawingCommand, PaintsByAMask) {

@@ -117,7 +117,7 @@ TEST_F(OneRun, DrawsAsItIsAsked) {
   EXPECT_GT(panel, 35);
   EXPECT_EQ(pictured(shape({"picture.width=40"})), 2 * panel);
   EXPECT_EQ(pictured(drawing({"picture.width=50", "picture.columns=1"})), 50);
-  EXPECT_EQ(pictured(drawing({"picture.width=50", "picture.stages=true"})), 200);
+  EXPECT_EQ(pictured(drawing({"picture.width=50", "picture.steps=true"})), 200);
   const int column = pictured(frames({"picture.width=40", "animation.pictured=1"}));
   EXPECT_LE(column, 40);
   EXPECT_GT(column, 35);

@@ -47,8 +47,8 @@ void DrawingBook::add_deformed(const PicturedDrawing& pictured, const Eigen::Mat
   panels_.push_back({pictured.bound, std::move(panel)});
 }
 
-void DrawingBook::add_stages(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
-                             const Eigen::Matrix2Xd& fitted) {
+void DrawingBook::add_steps(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
+                            const Eigen::Matrix2Xd& fitted) {
   add_deformed(pictured, intermediate, {}, "step one: intermediate");
   panels_.back().panel.edges = true;
   add_deformed(pictured, intermediate, {}, "fitted triangles");

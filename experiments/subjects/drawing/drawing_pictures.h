@@ -30,8 +30,8 @@ class DrawingBook : public Book {
                     const Eigen::VectorXd& depth, const std::string& caption);
   /// Shows the mesh of step one, 2×#V, and the corners of the triangles that are fitted to it,
   /// 2×3#F (Igarashi et al. 2005, Figure 3).
-  void add_stages(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
-                  const Eigen::Matrix2Xd& fitted);
+  void add_steps(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
+                 const Eigen::Matrix2Xd& fitted);
   bool empty() const override { return panels_.empty(); }
   Image render() const override;
 

@@ -55,15 +55,15 @@ Metrics beside_the_line(const DrawingScene& scene, const Shape& rest, const Hand
   return off_line(scene.rest, V, at.col(0).head<2>(), at.col(1).head<2>());
 }
 
-std::string stage_path(const std::string& out, const char* stage) {
-  return std::filesystem::path(out).replace_extension(fmt::format(".{}.obj", stage)).string();
+std::string step_path(const std::string& out, const char* step) {
+  return std::filesystem::path(out).replace_extension(fmt::format(".{}.obj", step)).string();
 }
 
-void write_stages(const Arap2d& deformer, const Eigen::Matrix3Xi& F, const std::string& out) {
-  write_shape(stage_path(out, "intermediate"), to_shape({deformer.intermediate(), F}));
+void write_steps(const Arap2d& deformer, const Eigen::Matrix3Xi& F, const std::string& out) {
+  write_shape(step_path(out, "intermediate"), to_shape({deformer.intermediate(), F}));
   const auto corners = static_cast<int>(F.size());
   const Eigen::VectorXi own = Eigen::VectorXi::LinSpaced(corners, 0, corners - 1);
-  write_shape(stage_path(out, "fitted"), to_shape({deformer.fitted(), own.reshaped(3, F.cols())}));
+  write_shape(step_path(out, "fitted"), to_shape({deformer.fitted(), own.reshaped(3, F.cols())}));
 }
 
 class DrawingSubject : public Subject {
@@ -87,7 +87,7 @@ class DrawingSubject : public Subject {
     deformer_ = make_deformer(options_.method, scene_);
     arap_ = dynamic_cast<const Arap2d*>(deformer_.get());
     depth_.emplace(options_.depth, scene_.rest);
-    if (context_.writes() && options_.output.stages) check_stages();
+    if (context_.writes() && options_.output.steps) check_steps();
   }
 
   void deform() override {
@@ -125,8 +125,8 @@ class DrawingSubject : public Subject {
     auto& pictures = dynamic_cast<DrawingBook&>(book);
     const PicturedDrawing pictured{bound(), scene_.weights, edit_};
     if (pictures.empty()) pictures.add_rest(pictured);
-    if (arap_ && options_.picture.stages) {
-      pictures.add_stages(pictured, arap_->intermediate(), arap_->fitted());
+    if (arap_ && options_.picture.steps) {
+      pictures.add_steps(pictured, arap_->intermediate(), arap_->fitted());
     }
     pictures.add_deformed(pictured, V_, depths_, caption);
   }
@@ -136,7 +136,7 @@ class DrawingSubject : public Subject {
     for (const auto& note : write_drawing(out, *bound(), V_, depths_, options_.output)) {
       LOG(WARNING) << note;
     }
-    if (options_.output.stages) write_stages(*arap_, scene_.rest.F, out);
+    if (options_.output.steps) write_steps(*arap_, scene_.rest.F, out);
   }
 
   std::string summary() const override {
@@ -146,15 +146,15 @@ class DrawingSubject : public Subject {
   }
 
  private:
-  // Throws InputError, before the work, where the file of a stage cannot be written.
-  void check_stages() const {
+  // Throws InputError, before the work, where the file of a step cannot be written.
+  void check_steps() const {
     if (!arap_) {
-      throw InputError("output.stages is true, but only deformer=arap_2d has stages");
+      throw InputError("output.steps is true, but only deformer=arap_2d has steps");
     }
     const CommandLine& c = *context_.command;
     check_outputs({"", c.input, c.edit, c.out, c.metrics, c.picture},
-                  {{stage_path(c.out, "intermediate"), "output.stages"},
-                   {stage_path(c.out, "fitted"), "output.stages"}});
+                  {{step_path(c.out, "intermediate"), "output.steps"},
+                   {step_path(c.out, "fitted"), "output.steps"}});
   }
 
   // To bind a drawing to its mesh takes time that a run without a picture saves.
