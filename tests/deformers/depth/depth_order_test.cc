@@ -286,7 +286,7 @@ TEST(DepthOrder, SharesNoDepthEvenWhereSheetsLieInCircles) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   int cyclic = 0;
-  for (int n = 0; n < 12; ++n) {
+  for (int n = 0; n < 30; ++n) {
     Eigen::Matrix2Xd V = mesh.V;
     for (int wave = 0; wave < 3; ++wave) {
       const Eigen::Vector2d k = Eigen::Vector2d{normal(random), normal(random)} / 20;
