@@ -12,13 +12,13 @@ class LossFunction;
 
 namespace deformlab {
 
-/// ρ of a robust term, F = Σ w Σ_e ρ(‖r_e‖²), so that elements whose residual cannot become small
-/// pull with less than its square. With a the scale and s = ‖r‖²:
+/// ρ of a robust term, F = Σ w Σ_e ρ(‖r_e‖²), with which elements whose residual
+/// stays large count for less than its square. With a the scale and s = ‖r‖²:
 ///   huber   s up to a², then 2a‖r‖ − a²: convex
 ///   cauchy  a² log(1 + s/a²): what is far away pulls ever less
 ///   tukey   a²/3 (1 − (1 − s/a²)³), then a²/3: beyond a nothing pulls at all
-/// The last two are not convex: handles that begin many a from their targets may stay there; then a
-/// greater a, or a drag in smaller steps, brings them on their way.
+/// The last two are not convex. Handles whose targets are many a away may stay where they are. A
+/// greater a, or a drag in smaller steps, then helps.
 enum class LossKind { kNone, kHuber, kCauchy, kTukey };
 constexpr auto names_of(LossKind) {
   using enum LossKind;

@@ -14,7 +14,7 @@ struct WeightedEnergy {
   double weight = 1;                                          ///< w ≥ 0
   std::shared_ptr<const ceres::LossFunction> loss = nullptr;  ///< ρ; null: ρ(s) = s
 
-  /// What a solver may rely on: a loss makes any term nonlinear.
+  /// The structure that a solver may rely on. A loss makes any term nonlinear.
   Structure structure() const { return loss ? Structure::kNonlinear : energy->structure(); }
 };
 
@@ -30,10 +30,10 @@ struct Problem {
 /// dimension or fewer columns than it takes, or that does not have the structure it declares.
 void check(const Problem& problem);
 
-/// What each term counts at x, in the problem's order.
+/// The cost of each term at x, in the order of the problem.
 std::vector<double> cost_by_term(const Problem& problem, const Unknowns& x);
 
-/// F at x, their sum.
+/// F at x, which is the sum of these costs.
 double cost(const Problem& problem, const Unknowns& x);
 
 }  // namespace deformlab

@@ -8,7 +8,7 @@ namespace deformlab {
 
 enum class Status {
   kConverged,      ///< all three conditions of Eq. 12 hold
-  kMaxIterations,  ///< they did not within max_iterations
+  kMaxIterations,  ///< max_iterations steps were not enough
   kStalled,        ///< no step along the search direction lowers F any more
   kFailed,         ///< no step could be computed; the message says why, the state is the last good
 };
@@ -37,14 +37,14 @@ struct Summary {
 
   int unknowns = 0;
   long nonzeros_JtJ = 0;     ///< in the lower triangle
-  long nonzeros_factor = 0;  ///< in L; 0 where the solver does not tell
+  long nonzeros_factor = 0;  ///< in L; 0 if the solver does not say
   int factorizations = 0;
-  int cg_iterations = 0;                  ///< of all steps, where the linear solver is iterative
+  int cg_iterations = 0;                  ///< in all steps, if the linear solver iterates
   double condition = 0;                   ///< of the preconditioned matrix, as measured at the end
-  std::map<std::string, double> seconds;  ///< by phase: evaluate, factorize, solve, …, total
+  std::map<std::string, double> seconds;  ///< by phase, such as evaluate, and in total
 
   std::string method, linear_solver, globalization;
-  std::string choice;  ///< why that linear solver, where `auto` took it
+  std::string choice;  ///< why `auto` took this linear solver
   std::string blas;
   int threads = 1;
 };
