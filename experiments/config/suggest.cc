@@ -47,7 +47,7 @@ std::optional<std::string> nearest_name(std::string_view given,
 std::string known_names(std::string_view given, const std::vector<std::string>& known,
                         std::string_view prefix) {
   const std::string_view moved = prefix.empty() ? "" : renamed(fmt::format("{}{}", prefix, given));
-  if (!moved.empty()) return fmt::format("it is called '{}' now", moved);
+  if (!moved.empty()) return fmt::format("'{}{}' is called '{}' now", prefix, given, moved);
   const std::string_view today = renamed(given);
   if (std::find(known.begin(), known.end(), today) != known.end()) {
     return fmt::format("it is called '{}' now", today);

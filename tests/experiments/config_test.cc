@@ -284,7 +284,8 @@ TEST(Config, NamesOfEarlierVersionsAreToldTheNewOnes) {
             "it is called 'kronecker_cg' now");
   EXPECT_EQ(known_names("arap", {"rbf", "cgal_arap"}), "it is called 'cgal_arap' now");
   EXPECT_EQ(known_names("rigid_shape", {"rbf", "arap_2d"}), "it is called 'arap_2d' now");
-  EXPECT_EQ(known_names("adaptive", {"nodes"}, "graph."), "it is called 'adaptive' now");
+  EXPECT_EQ(known_names("adaptive", {"nodes"}, "graph."),
+            "'graph.adaptive' is called 'adaptive' now");
   EXPECT_EQ(known_names("arap", {"mesh"}), "known: mesh");
 }
 
