@@ -1,8 +1,10 @@
 // The options of the sanitizers, for every test. In an environment variable they would be lost:
 // gtest_discover_tests passes on only the first variable of a list.
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" {
-const char* __asan_default_options();  // NOLINT(bugprone-reserved-identifier)
+const char* __asan_default_options();
 const char* __asan_default_options() { return "detect_stack_use_after_return=1"; }
-const char* __ubsan_default_options();  // NOLINT(bugprone-reserved-identifier)
+const char* __ubsan_default_options();
 const char* __ubsan_default_options() { return "print_stacktrace=1"; }
 }
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)

@@ -14,7 +14,7 @@ namespace deformlab {
 namespace {
 
 /// Each step factors JᵀJ with a solver that `make` gives.
-StepSolverFactory direct_steps(const std::string& name, LinearSolverFactory make) {
+StepSolverFactory direct_steps(const std::string& name, const LinearSolverFactory& make) {
   if (!make) return nullptr;
   return [=](int threads) { return std::make_unique<DirectSteps>(name, make(threads)); };
 }
@@ -48,8 +48,8 @@ void register_step_solver(const std::string& name, StepSolverFactory factory) {
   registry().add(name, std::move(factory));
 }
 
-void register_linear_solver(const std::string& name, LinearSolverFactory factory) {
-  registry().add(name, direct_steps(name, std::move(factory)));
+void register_linear_solver(const std::string& name, const LinearSolverFactory& factory) {
+  registry().add(name, direct_steps(name, factory));
 }
 
 std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads) {

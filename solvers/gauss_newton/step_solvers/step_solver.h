@@ -72,7 +72,7 @@ using LinearSolverFactory = std::function<std::unique_ptr<LinearSolver>(int thre
 void register_step_solver(const std::string& name, StepSolverFactory factory);
 
 /// The same for a linear solver, with which each step then factors JᵀJ (DirectSteps).
-void register_linear_solver(const std::string& name, LinearSolverFactory factory);
+void register_linear_solver(const std::string& name, const LinearSolverFactory& factory);
 
 /// "auto", "cholmod", "eigen_ldlt", "kronecker_cg", or one that was registered. Throws InputError
 /// for any other name; the message lists the known ones.
