@@ -12,13 +12,13 @@ class LossFunction;
 
 namespace deformlab {
 
-/// ρ of a robust term, F = Σ w Σ_e ρ(‖r_e‖²), with which elements whose residual
-/// stays large count for less than its square. With a the scale and s = ‖r‖²:
-///   huber   s up to a², then 2a‖r‖ − a²: convex
-///   cauchy  a² log(1 + s/a²): what is far away pulls ever less
-///   tukey   a²/3 (1 − (1 − s/a²)³), then a²/3: beyond a nothing pulls at all
-/// The last two are not convex. Handles whose targets are many a away may stay where they are. A
-/// greater a, or a drag in smaller steps, then helps.
+/// The loss ρ of a robust term, which contributes w Σ_e ρ(‖r_e‖²) to F. It reduces the influence of
+/// elements whose residual cannot become small. With the scale a and s = ‖r‖²:
+///   huber   s if s ≤ a², else 2a‖r‖ − a². It is convex.
+///   cauchy  a² log(1 + s/a²). The influence decreases for large residuals.
+///   tukey   a²/3 (1 − (1 − s/a²)³) if s ≤ a², else a²/3. Residuals above a have no influence.
+/// cauchy and tukey are not convex: a handle that starts many times a away from its target may stay
+/// there. Then a greater a, or a drag in smaller steps, helps.
 enum class LossKind { kNone, kHuber, kCauchy, kTukey };
 constexpr auto names_of(LossKind) {
   using enum LossKind;
@@ -29,12 +29,12 @@ constexpr auto names_of(LossKind) {
 /// The loss of one energy term.
 struct LossOptions {
   LossKind kind = LossKind::kNone;
-  double scale = 1;  ///< a, in the unit of the residual: for lengths, the energy's own unit
+  double scale = 1;  ///< a, in the unit of the residual; lengths are in the problem's unit
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("kind", o.kind, "The robust loss of the term");
-    // Beyond this range a² swallows what is added to it.
+    // Outside this range, sums with a² lose too many digits.
     visit.range("scale", o.scale, {.min = 1e-6, .max = 1e3},
                 "The size of a residual above which the loss pulls less than its square "
                 "[length_unit]");
@@ -44,7 +44,7 @@ struct LossOptions {
 /// The loss, null for "none". Throws OptionError for a scale out of range.
 std::shared_ptr<const ceres::LossFunction> make_loss(const LossOptions& options);
 
-/// Σ_e ρ(‖r_e‖²) of residuals, rows × elements; ρ(s) = s where there is no loss.
+/// Σ_e ρ(‖r_e‖²) of the residuals r, rows × elements. Without a loss, ρ(s) = s.
 double squared_sum(const Eigen::MatrixXd& r, const ceres::LossFunction* loss);
 
 /// ρ′(‖r‖²) of one element.

@@ -8,7 +8,7 @@
 
 namespace deformlab {
 
-/// Who minimises: our Gauss–Newton, or Ceres Solver.
+/// The solver: our Gauss–Newton method, or Ceres Solver.
 enum class SolverMethod { kGaussNewton, kCeres };
 constexpr auto names_of(SolverMethod) {
   using enum SolverMethod;
@@ -31,45 +31,45 @@ constexpr auto names_of(CeresSparseLibrary) {
       {{kSuiteSparse, "suite_sparse"}, {kEigenSparse, "eigen_sparse"}, {kCxSparse, "cx_sparse"}});
 }
 
-/// What a parameter block of Ceres is: one column of a node, so that derivatives that are zero are
-/// left out and the factor stays sparse, or a whole node, which gives fewer and denser blocks and
-/// is a little faster on small graphs.
+/// A parameter block of Ceres is one column of a node or a whole node. With columns, derivatives
+/// that are zero are left out, so that the factor stays sparse. Whole nodes give fewer and denser
+/// blocks and are a little faster on small graphs.
 enum class CeresBlocks { kColumn, kNode };
 constexpr auto names_of(CeresBlocks) {
   using enum CeresBlocks;
   return std::to_array<EnumName<CeresBlocks>>({{kColumn, "column"}, {kNode, "node"}});
 }
 
-/// The names of a method's linear solvers without "auto", those that were registered included.
+/// The names of a method's linear solvers, also registered ones, without "auto".
 std::vector<std::string> linear_solver_choices(SolverMethod method);
 
 /// "auto" and the linear solvers of all methods.
 std::vector<std::string> linear_solver_choices();
 
-/// The globalizations of gauss_newton, those that were registered included.
+/// The names of the globalizations of gauss_newton, also registered ones.
 std::vector<std::string> globalization_choices();
 
 /// The options of a solver. They are the same for every method.
 struct SolverOptions {
   SolverMethod method = SolverMethod::kGaussNewton;
-  /// For gauss_newton: cholmod factors JᵀJ in each step, as the paper does; eigen_ldlt does the
-  /// same without BLAS; kronecker_cg runs conjugate gradients, which one small factorization for a
-  /// set of handles preconditions, and is the fastest where most terms have the Kronecker
-  /// structure. With auto, kronecker_cg is taken where the terms suit it, and cholmod where they do
-  /// not or where the equations turn out to be too badly conditioned. For ceres: the names that
-  /// Ceres Solver documents; auto is sparse_normal_cholesky.
+  /// Of gauss_newton, cholmod factors JᵀJ in each step, as the paper does. eigen_ldlt does the same
+  /// without BLAS. kronecker_cg runs conjugate gradients with one small factorization for a set of
+  /// handles as the preconditioner, and is the fastest if most terms have the Kronecker structure.
+  /// auto takes kronecker_cg if the terms suit it and the equations are well conditioned, and
+  /// cholmod otherwise. ceres has the linear solvers that Ceres Solver documents; there, auto is
+  /// sparse_normal_cholesky.
   std::string linear_solver = "auto";
-  /// none takes full steps, as in the paper; they can go uphill. line_search halves a step until F
-  /// falls. levenberg damps it by λ diag(JᵀJ), which is what ceres always does. accelerated makes
-  /// directions conjugate and interpolates their lengths; a poor step is corrected by geodesic
-  /// acceleration or damped.
+  /// Of gauss_newton only. none takes full steps, as in the paper; they can increase F. line_search
+  /// halves a step until F decreases. levenberg damps it by λ diag(JᵀJ). accelerated makes
+  /// directions conjugate, interpolates their lengths, and improves poor steps by geodesic
+  /// acceleration and damping.
   std::string globalization = "accelerated";
   CeresTrustRegion ceres_trust_region = CeresTrustRegion::kLevenbergMarquardt;
   CeresSparseLibrary ceres_sparse_library = CeresSparseLibrary::kSuiteSparse;
   CeresBlocks ceres_blocks = CeresBlocks::kColumn;
   double epsilon = 1e-6;  ///< ε of Eq. 12
   int max_iterations = 100;
-  int threads = 1;  ///< apart from Ceres' rounding, the result does not depend on their number
+  int threads = 1;  ///< the result does not depend on it, except for rounding errors of Ceres
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {

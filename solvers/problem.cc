@@ -24,7 +24,7 @@ bool fits(const Energy& energy, const Unknowns& x) {
   return true;
 }
 
-// Throws unless x, fixed and the terms are complete.
+// Checks that x, fixed and each term are complete.
 void check_parts(const Problem& problem) {
   const Unknowns& x = problem.x;
   const int columns = x.first.empty() ? 0 : x.first.back();

@@ -18,16 +18,17 @@ struct WeightedEnergy {
   Structure structure() const { return loss ? Structure::kNonlinear : energy->structure(); }
 };
 
-/// One problem: minimise F(X) = Σ w E(X) over the nodes that are free (Sumner et al. 2007, Eq. 9);
-/// a term with a loss counts by w Σ_e ρ(‖r_e‖²).
+/// The problem of minimising F(X) = Σ w E(X) over the free nodes (Sumner et al. 2007, Eq. 9). A
+/// term with a loss contributes w Σ_e ρ(‖r_e‖²) instead of w E(X).
 struct Problem {
-  Unknowns x;               ///< the last state; a solve starts here and leaves its result here
-  std::vector<char> fixed;  ///< per node: eliminated from the unknowns, never penalised
+  Unknowns x;               ///< the state: a solve starts from it and writes its result to it
+  std::vector<char> fixed;  ///< whether each node is fixed; the solver does not change such nodes
   std::vector<WeightedEnergy> terms;
 };
 
-/// Throws InputError for a term that reads nodes which the problem does not have, or of another
-/// dimension or fewer columns than it takes, or that does not have the structure it declares.
+/// Throws InputError if the sizes of x and fixed differ, and for a term that has no energy or a
+/// negative weight, that reads nodes or columns which the problem does not have, that has another
+/// dimension than the problem, or that does not have the structure it declares.
 void check(const Problem& problem);
 
 /// The cost of each term at x, in the order of the problem.

@@ -13,18 +13,18 @@
 
 namespace deformlab {
 
-/// Makes things by name. The built-in ones are listed where a registry is constructed, and users of
-/// the library add their own. It may be used from several threads.
+/// Makes objects by name. The constructor takes the built-in ones, and users of the library add
+/// their own. A registry may be used from several threads.
 template <class Product, class... Arguments>
 class Registry {
  public:
   using Factory = std::function<std::unique_ptr<Product>(Arguments...)>;
 
-  ///   kind  what is made, as messages say it: "linear solver"
+  ///   kind  what is made, for messages, such as "linear solver"
   Registry(std::string kind, std::vector<std::pair<std::string, Factory>> built_in)
       : kind_(std::move(kind)), factories_(std::move(built_in)) {}
 
-  /// Throws InputError for an empty name, one that is taken, and a factory that is empty.
+  /// Throws InputError if the name is empty or taken, or if the factory is empty.
   void add(const std::string& name, Factory factory) {
     if (name.empty()) throw InputError(fmt::format("a {} needs a name to be registered", kind_));
     if (has(name)) {

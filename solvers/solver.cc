@@ -11,7 +11,7 @@
 namespace deformlab {
 namespace {
 
-// The linear solver is one of the method's own.
+// Throws OptionError unless the method has the linear solver.
 void check_linear_solver(const SolverOptions& options) {
   const std::vector<std::string> names = linear_solver_choices(options.method);
   const std::string& name = options.linear_solver;

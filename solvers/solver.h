@@ -8,13 +8,15 @@
 
 namespace deformlab {
 
-/// Minimises problems. `compile` does what depends on the structure alone (which nodes are free,
-/// which elements there are) and is paid once for a set of handles; `solve` may be called any
-/// number of times after it, with targets and state changed in between.
+/// Minimises problems. `compile` does what depends only on the structure, which is given by the
+/// free nodes and the elements. It is called once for a set of handles. After it, `solve` may be
+/// called any number of times, with other targets and another state each time.
 class Solver {
  public:
   virtual ~Solver() = default;
+  /// Throws InputError for a problem that `check` refuses, or that the solver does not support.
   virtual void compile(const Problem& problem) = 0;
+  /// Throws InputError unless the compiled problem has the same nodes and number of terms.
   virtual Summary solve(Problem& problem) = 0;
 };
 
@@ -22,7 +24,7 @@ class Solver {
 /// field does not allow, and for a linear solver that the method does not have.
 std::unique_ptr<Solver> make_solver(const SolverOptions& options);
 
-/// Eq. 12: the change of F, its gradient and the step are all small.
+/// Whether the change of F, its gradient and the step are all small (Sumner et al. 2007, Eq. 12).
 bool converged(double cost, double previous_cost, double gradient_max, double step_max,
                double epsilon);
 

@@ -19,10 +19,10 @@ namespace {
 
 double* block(Unknowns& x, int column) { return x.X.col(column).data(); }
 
-// The entries of an element's Jacobian that stand for one parameter block.
+// The entries of an element's Jacobian that belong to one parameter block.
 struct Piece {
   int first, count;  // its columns in the Jacobian
-  int size;          // of the parameter block; its columns beyond `count` are zero
+  int size;          // of the parameter block; the element does not read entries beyond `count`
   double* block;
 };
 
@@ -76,7 +76,7 @@ class ElementCost final : public ceres::CostFunction {
   }
 
  private:
-  static constexpr int kUsualWidth = 256;  // of a Jacobian; a wider one takes more time
+  static constexpr int kUsualWidth = 256;  // a wider Jacobian needs memory from the heap
 
   int read(int a) const { return energy_.dimension() * energy_.argument(a).count; }
 
@@ -122,7 +122,7 @@ class ElementCost final : public ceres::CostFunction {
   Eigen::MatrixXd constant_;
 };
 
-// Records each iteration of Ceres as ours are recorded, and stops Ceres by Eq. 12.
+// Records the iterations of Ceres like those of gauss_newton, and stops Ceres by Eq. 12.
 class Recorder final : public ceres::IterationCallback {
  public:
   Recorder(const Unknowns& x, double epsilon, Summary& summary)
@@ -237,7 +237,7 @@ void CeresSolver::compile(const Problem& problem) {
   }
 }
 
-// With a loss, w ρ(‖r‖²), the weight is outside of ρ. Without one, the residuals are scaled by √w.
+// A loss is scaled by w, because the weight is outside of ρ. Without one, r is scaled by √w.
 void CeresSolver::add(const WeightedEnergy& term, bool by_column) {
   ceres::LossFunction* loss = nullptr;
   if (term.loss) {
@@ -265,7 +265,7 @@ Summary CeresSolver::solve(Problem& problem) {
   options.callbacks.push_back(&recorder);
   ceres::Solver::Summary result;
   {
-    // CHOLMOD, which Ceres calls, does not know of Ceres' num_threads.
+    // Ceres does not pass num_threads on to CHOLMOD.
     const OneThread one_thread(options_.threads);
     ceres::Solve(options, problem_.get(), &result);
   }

@@ -10,17 +10,16 @@
 
 namespace deformlab {
 
-/// Minimises the same terms with Ceres Solver: one residual block for each element, over the
-/// parameter blocks that options.ceres_blocks names. `compile` builds the ceres::Problem, which is
-/// kept, and computes the derivatives that are constant.
+/// Minimises a problem with Ceres Solver. Each element becomes a residual block over the parameter
+/// blocks that options.ceres_blocks describes. `compile` builds the ceres::Problem, which all
+/// solves use, and computes the constant derivatives.
 class CeresSolver final : public Solver {
  public:
   explicit CeresSolver(const SolverOptions& options);
   void compile(const Problem& problem) override;
   Summary solve(Problem& problem) override;
 
-  /// The ceres::Problem that `compile` built, and the state that its parameter blocks point into,
-  /// node after node.
+  /// The ceres::Problem that `compile` built, and the unknowns that its parameter blocks point to.
   ceres::Problem& problem() { return *problem_; }
   Unknowns& x() { return x_; }
 
@@ -31,7 +30,7 @@ class CeresSolver final : public Solver {
   std::vector<std::unique_ptr<ceres::LossFunction>> losses_;  // the problem refers to them
   std::unique_ptr<ceres::Problem> problem_;
   Unknowns x_;             // the problem's parameter blocks are here
-  std::size_t terms_ = 0;  // of the problem that was compiled
+  std::size_t terms_ = 0;  // their number in the compiled problem
 };
 
 }  // namespace deformlab

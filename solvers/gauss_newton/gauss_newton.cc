@@ -28,7 +28,7 @@ void GaussNewton::compile(const Problem& problem) {
 void GaussNewton::start(Problem& problem) {
   summary_ = {};
   for (const char* phase : {"evaluate", "linearize", "factorize", "solve"}) {
-    summary_.seconds[phase] = 0;  // exists before it is timed: no allocation in an iteration
+    summary_.seconds[phase] = 0;  // makes the entry now, so that no iteration allocates it
   }
   summary_.iterations.reserve(std::min(options_.max_iterations, 1000));
   globalization_->start(linearization_->unknowns());

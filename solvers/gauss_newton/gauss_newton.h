@@ -32,7 +32,7 @@ class GaussNewton final : public Solver {
   SolverOptions options_;
   std::unique_ptr<StepSolver> steps_;
   std::unique_ptr<Globalization> globalization_;
-  // There from `compile` on.
+  // `compile` makes these two.
   std::optional<Linearization> linearization_;
   std::optional<Iterate> iterate_;
   Summary summary_;

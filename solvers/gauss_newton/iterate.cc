@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSufficientDecrease = 1e-4;  // as a share of what the slope promises
 constexpr double kRounding = 1e-13;           // of 1 + F, as in Eq. 12
-constexpr double kRegularization = 1e-10;     // relative, where JᵀJ is singular
+constexpr double kRegularization = 1e-10;     // the least relative damping of a singular JᵀJ
 constexpr double kLeastD = 1e-6, kMostD = 1e32;
 
 }  // namespace

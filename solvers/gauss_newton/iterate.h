@@ -13,7 +13,7 @@ class Iterate {
  public:
   Iterate(const Problem& problem, Linearization& linearization, StepSolver& steps);
 
-  /// Starts a solve at problem.x. Work is counted in the summary.
+  /// Starts a solve at problem.x. The summary counts the work.
   void start(Problem& problem, Summary& summary);
   /// Makes the last trial point the new x and linearizes there.
   void accept();
@@ -21,36 +21,36 @@ class Iterate {
   double cost() const { return cost_; }  ///< F at x
   /// Jᵀr at x, half of ∇F, n.
   const Eigen::VectorXd& gradient() const { return linearization_.Jtr(); }
-  /// What a change of F has to exceed to count as one: F is known up to rounding errors only.
+  /// A bound on the rounding errors of F: a smaller change of F means nothing.
   double rounding() const;
 
-  /// Computes δ of (JᵀJ + λ diag(D)) δ = −Jᵀr, where λ is the damping and D the diagonal of JᵀJ.
-  /// Returns false if the matrix is singular.
+  /// Solves (JᵀJ + λ diag(D)) δ = −Jᵀr, where λ is the damping and D the diagonal of JᵀJ, limited
+  /// to a range. Returns false if the matrix is singular.
   bool compute_direction(double damping);
-  /// The same. If the matrix is singular because some motion changes no term, the least damping
-  /// that makes it regular picks a short one of all solutions.
+  /// The same. If the matrix is singular, because some motion changes no term, it is damped just
+  /// enough to be regular, and δ is a short one of all solutions.
   bool compute_regular_direction(double damping);
-  /// δ may be changed after it was computed.
+  /// The direction δ, which a globalization may change.
   Eigen::VectorXd& delta() { return delta_; }
-  /// D of the last damped direction.
+  /// The D that the last damped direction was computed with.
   const Eigen::VectorXd& D() const { return D_; }
 
-  /// Prepares steps along δ. To be called whenever δ has changed, before `try_step`.
+  /// Prepares steps along δ. It has to be called whenever δ has changed, before `try_step`.
   void set_direction() { linearization_.set_direction(delta_); }
   /// The slope of F along δ at x.
   double slope() const { return 2 * gradient().dot(delta_); }
   /// Makes x + scale · δ the trial point and returns F there.
   double try_step(double scale);
-  /// The length of the step to the trial point; 0 if that is not on the current δ.
+  /// The scale of the step to the trial point; 0 if this point does not lie along δ.
   double tried() const { return tried_; }
-  /// The trial point is not on the current δ any more.
+  /// Notes that the trial point does not lie along δ any more.
   void forget_trial() { tried_ = 0; }
   /// Whether a step of this length that leads to this cost lowers F enough, compared with what the
   /// slope promises (Armijo's rule).
   bool sufficient(double cost, double scale, double slope) const;
 
-  /// Computes c, which added to δ follows the curvature of the residuals (geodesic acceleration,
-  /// Transtrum and Sethna 2012). The trial point has to be x + δ. Returns false if there is none.
+  /// Computes a correction c: δ + c follows the curvature of the residuals (geodesic acceleration,
+  /// Transtrum and Sethna 2012). The trial point has to be x + δ. Returns false if there is no c.
   bool compute_geodesic_correction(Eigen::VectorXd& c);
 
  private:

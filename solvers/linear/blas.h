@@ -4,8 +4,8 @@
 
 namespace deformlab {
 
-/// The BLAS that this process's linear algebra runs on: its library file and version. It is the one
-/// that the dynamic linker bound, whatever was asked for when the program was built.
+/// The library file and version of the BLAS that this process uses. The dynamic linker chooses it,
+/// so it may differ from the one that the program was built with.
 std::string blas_name();
 
 }  // namespace deformlab

@@ -9,11 +9,11 @@
 namespace deformlab {
 namespace {
 
-// The structure over groups of consecutive rows. Ordering the groups takes a fraction of the time,
-// and causes no more fill where the rows of a group have almost the same neighbours.
+// The structure over groups of consecutive rows. Ordering the groups is much faster, and causes no
+// more fill if the rows of a group have almost the same neighbours.
 SparseMatrix quotient(const SparseMatrix& lower, int group) {
   const Eigen::Index n = lower.cols() / group;
-  std::vector<int> last(n, -1);  // the last column that had an entry in each row
+  std::vector<int> last(n, -1);  // for each row, the last column with an entry in it
   std::vector<Eigen::Triplet<double>> entries;
   for (int c = 0; c < lower.cols(); ++c) {
     for (SparseMatrix::InnerIterator it(lower, c); it; ++it) {
@@ -40,8 +40,8 @@ CholmodSolver::CholmodSolver(int threads) : threads_(threads) {
   cholmod_common& common = cholmod_.common;
   common.supernodal = CHOLMOD_SUPERNODAL;
   common.final_ll = 1;
-  // Supernodes are merged a little more readily than by default: our problems have small ones, on
-  // which a call of the BLAS costs more than the zeros that merging brings in.
+  // Supernodes are merged a little more readily than by default: those of our problems are small,
+  // so that a call of the BLAS costs more than the zeros that merging adds.
   common.nrelax[0] = 8, common.nrelax[1] = 32, common.nrelax[2] = 96;
   common.zrelax[0] = 0.8, common.zrelax[1] = 0.2, common.zrelax[2] = 0.1;
 }
@@ -55,12 +55,12 @@ Eigen::VectorXi CholmodSolver::order(const SparseMatrix& lower, int group, bool 
   const SparseMatrix groups = quotient(lower, group);
   cholmod_sparse G = cholmod_view(groups), A = cholmod_view(lower);
   cholmod_common& common = cholmod_.common;
-  common.nmethods = quick ? 0 : 2;  // 0: CHOLMOD's own strategy, AMD and, if need be, METIS
+  common.nmethods = quick ? 0 : 2;  // 0: CHOLMOD's strategy is AMD and, if that is poor, METIS
   common.method[0].ordering = CHOLMOD_METIS;
   common.method[1].ordering = CHOLMOD_AMD;
   common.postorder = 1;
   std::vector<int> given = expand(take(cholmod_analyze(&G, &common)), group);
-  cholmod_.use_ordering(CHOLMOD_GIVEN, true);  // sorts it by a postorder row by row
+  cholmod_.use_ordering(CHOLMOD_GIVEN, true);  // sorts the rows by a postorder
   return take(cholmod_analyze_p(&A, given.data(), nullptr, 0, &common));
 }
 
@@ -75,8 +75,8 @@ Eigen::VectorXi CholmodSolver::take(cholmod_factor* factor) {
 
 void CholmodSolver::analyze(const SparseMatrix& lower) {
   cholmod_sparse A = cholmod_view(lower);
-  // `order` has sorted by a postorder already. Without another one CHOLMOD uses the matrix in
-  // place, and copies nothing.
+  // `order` has sorted by a postorder already. Without another one, CHOLMOD does not copy the
+  // matrix.
   cholmod_.use_ordering(CHOLMOD_NATURAL, false);
   take(cholmod_analyze(&A, &cholmod_.common));
 }

@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// CHOLMOD's supernodal Cholesky factorization, in the better of METIS' and AMD's orders or, if a
-/// quick order is asked for, in AMD's where that fills little.
+/// CHOLMOD's supernodal Cholesky factorization. Its order is that of METIS or AMD, whichever causes
+/// less fill. A quick order is that of AMD, unless it causes much fill.
 class CholmodSolver final : public LinearSolver {
  public:
   explicit CholmodSolver(int threads = 1);

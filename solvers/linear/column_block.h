@@ -6,8 +6,8 @@
 
 namespace deformlab {
 
-/// Columns of X, padded with zeros from d to four entries each: processors add and multiply four
-/// numbers at once.
+/// Columns of X, padded with zeros from d to four entries each, because processors add and multiply
+/// four numbers at once.
 using ColumnBlock = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 /// Copies the unknowns x, d for each column, into the first d rows of a block.

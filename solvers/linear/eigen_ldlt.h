@@ -7,7 +7,7 @@
 namespace deformlab {
 
 /// Eigen's simplicial LDLᵀ factorization. It uses neither BLAS nor supernodes, and serves as an
-/// independent second opinion.
+/// independent check of CHOLMOD.
 class EigenLdlt final : public LinearSolver {
  public:
   Eigen::VectorXi order(const SparseMatrix& lower, int group, bool quick) override;

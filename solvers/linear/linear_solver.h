@@ -14,13 +14,13 @@ class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
 
-  /// A fill-reducing order: row and column order[i] of `lower` should come to position i. Entries
-  /// may be zero, only their positions count. By default, the order that the matrix has.
+  /// A fill-reducing order: row and column order[i] of `lower` should come to position i. The
+  /// values of the entries do not matter. The default implementation keeps the given order.
   ///   group  every `group` consecutive rows have almost the same neighbours and may be kept
   ///          together
-  ///   quick  nested dissection is tried only where minimum degree fills much
+  ///   quick  whether nested dissection is tried only if minimum degree causes much fill
   virtual Eigen::VectorXi order(const SparseMatrix& lower, int group = 1, bool quick = false);
-  /// Symbolic factorization of a matrix that is in a good order already.
+  /// Symbolic factorization of a matrix that is in a fill-reducing order already.
   virtual void analyze(const SparseMatrix& lower) = 0;
   /// Numeric factorization of a matrix that has the structure which was analyzed. Returns false if
   /// a pivot is not positive, or less than kSingularRatio of the largest.
@@ -29,7 +29,7 @@ class LinearSolver {
   virtual void solve(const Eigen::VectorXd& b, Eigen::VectorXd& delta) = 0;
   /// The number of nonzeros in the factor.
   virtual long nonzeros() const = 0;
-  /// How many threads it uses.
+  /// The number of threads that it uses.
   virtual int threads() const { return 1; }
 };
 
@@ -37,7 +37,7 @@ class LinearSolver {
 /// singular in double precision.
 inline constexpr double kSingularRatio = 1e-14;
 
-/// A CholmodSolver, for code that does not know the headers of CHOLMOD.
+/// Makes a CholmodSolver for code that does not include the headers of CHOLMOD.
 std::unique_ptr<LinearSolver> make_cholmod(int threads = 1);
 
 }  // namespace deformlab

@@ -5,7 +5,7 @@
 namespace deformlab {
 namespace {
 
-// A function of the OpenMP runtime, which is loaded only if CHOLMOD uses it; else null.
+// A function of the OpenMP runtime; null if CHOLMOD does not use it, so that it is not loaded.
 template <class Function>
 Function find(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));

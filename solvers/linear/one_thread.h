@@ -8,7 +8,7 @@ namespace deformlab {
 /// deformation takes 1.4 to 1.8 times as long.
 class OneThread {
  public:
-  /// With more than one thread nothing is limited.
+  /// With more than one thread, the object does nothing.
   explicit OneThread(int threads = 1);
   ~OneThread();
   OneThread(const OneThread&) = delete;

@@ -16,7 +16,7 @@ using Complex = std::complex<double>;
 
 constexpr int kWidth = 4;  // the most columns in a panel
 
-// Four entries of a row of the panel under work, in registers and in memory.
+// Four entries of a row of the current panel, in registers and in memory.
 template <class Scalar>
 struct Four;
 template <>
@@ -41,8 +41,8 @@ DEFORMLAB_INLINE void subtract(const Four<Complex>::Array& four, Complex* entrie
 double conjugate(double a) { return a; }
 Complex conjugate(const Complex& a) { return std::conj(a); }
 
-// Subtracts from the rows of the panel under work, four entries each, what an earlier panel
-// contributes to them.
+// Subtracts the contribution of an earlier panel from the rows of the current one, four entries
+// each.
 //   coefficient  width × 4: the earlier panel's conjugate entries in the rows of the new columns
 template <int width, class Scalar>
 DEFORMLAB_INLINE void subtract_rows(const int* row, int rows, const Scalar* value,
@@ -86,8 +86,8 @@ void subtract_panel(int width, const int* row, int rows, const Complex* value,
 }  // namespace
 
 // The rows of a column of L are those of the matrix and those of the panels whose first row it is.
-// A column joins the panel to its left where the zeros that this brings in take no longer than a
-// panel of its own.
+// A column joins the panel to its left if the zeros that this adds take no longer than a panel of
+// its own.
 template <class Scalar>
 void PanelCholesky<Scalar>::find_panels(const Matrix& lower) {
   const auto n = static_cast<int>(lower.cols());
@@ -131,7 +131,8 @@ void PanelCholesky<Scalar>::find_panels(const Matrix& lower) {
   }
 }
 
-// A bucket sort: the rows in ascending order are handed to the panels that have them.
+// A bucket sort: goes through the rows in ascending order, and gives each to the panels that have
+// it.
 template <class Scalar>
 void PanelCholesky<Scalar>::sort_rows(int n) {
   std::vector<int> begin(n + 1, 0), panel_of(rows_.size());
@@ -157,16 +158,15 @@ void PanelCholesky<Scalar>::lay_out_values() {
   values_.resize(size);
 }
 
-// What a numeric factorization needs beside its result.
 template <class Scalar>
 struct PanelCholesky<Scalar>::Workspace {
   std::vector<int> panel_of;  // of each column
-  std::vector<int> position;  // of each row among those of the panel under work
-  // For each panel the list of the panels that contribute to it next: its first one, and which one
-  // follows each panel in the list that it is in.
+  std::vector<int> position;  // of each row among those of the current panel
+  // Each panel has a linked list of the panels that contribute to it next: `waiting` is the first
+  // one of its list, and `next` is the one after it in the list that it is in.
   std::vector<int> waiting, next;
   std::vector<int> reached;  // for each panel, its first row that has not contributed yet
-  std::vector<Scalar> rows;  // the rows of the panel under work, four entries each
+  std::vector<Scalar> rows;  // the rows of the current panel, four entries each
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // pivots
 };
 
@@ -231,8 +231,8 @@ bool PanelCholesky<Scalar>::finish(const Panel& panel, Workspace& w) {
   return true;
 }
 
-// Left-looking: goes through the panels from left to right, and subtracts from each what those
-// before it contribute.
+// A left-looking factorization: goes through the panels from left to right, and subtracts from each
+// what those before it contribute.
 template <class Scalar>
 bool PanelCholesky<Scalar>::compute(const Matrix& lower) {
   const std::size_t n = lower.cols(), count = panels_.size();

@@ -10,9 +10,9 @@
 namespace deformlab {
 
 /// A Cholesky factor A = L Lᴴ of a sparse positive definite matrix, real or Hermitian. It is made
-/// for very many solves with few right-hand sides: up to four columns of L that have the same rows
-/// below them lie side by side in a panel, row after row, so that a solve reads L as one stream,
-/// and each row of a panel touches the right-hand sides once.
+/// for very many solves with few right-hand sides: up to four columns of L that have almost the
+/// same rows are stored as one panel, row by row, so that a solve reads L from begin to end, and
+/// each row of a panel accesses the right-hand sides once.
 ///   Scalar  double or std::complex<double>
 template <class Scalar>
 class PanelCholesky {
@@ -25,8 +25,8 @@ class PanelCholesky {
   ///          fill-reducing order already.
   bool factorize(const Matrix& lower);
 
-  /// z ← A⁻¹ z for one complex right-hand side, such as x + iy of the points of a drawing. Like the
-  /// next one, it needs a factorization that succeeded, and allocates nothing.
+  /// z ← A⁻¹ z for one complex right-hand side, such as x + iy of the points of a drawing. Both
+  /// `solve` need a factorization that succeeded, and allocate nothing.
   void solve(Eigen::VectorXcd& z) const;
   /// Z ← (A⁻¹ ⊗ I) Z for four real right-hand sides. For real matrices only.
   void solve(ColumnBlock& Z) const;
@@ -53,7 +53,7 @@ class PanelCholesky {
 
   std::vector<Panel> panels_;
   std::vector<int> rows_;
-  // For each panel its lower triangle row by row, with the inverse of the diagonal, then the rows.
+  // For each panel its lower triangle, row by row and with an inverted diagonal, then its rows.
   std::vector<Scalar> values_;
 };
 

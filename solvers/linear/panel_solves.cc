@@ -9,7 +9,7 @@ using Complex = std::complex<double>;
 using Panel = PanelCholesky<double>::Panel;
 using ComplexPanel = PanelCholesky<Complex>::Panel;
 
-// What a right-hand side has in one row of L: four real numbers, or one complex number (re, im).
+// A row of a right-hand side: four real numbers, or one complex number (re, im).
 using Four = SimdBlock;
 using Pair = double __attribute__((vector_size(16)));
 

@@ -2,7 +2,7 @@
 
 namespace deformlab {
 
-// The entries are sorted by rows and then, without changing the order of these, by columns.
+// The entries are sorted by rows, and then by columns with a stable sort.
 SparseMatrix sparse_matrix(const std::vector<SparseEntry>& entries, int n) {
   SparseMatrix result(n, n);
   int* begin = result.outerIndexPtr();

@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// Our sparse matrices. A symmetric one is given by its lower triangle, with rows in ascending
-/// order in every column.
+/// The type of sparse matrices. A symmetric matrix is given by its lower triangle, with rows in
+/// ascending order in every column.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// One entry of a sparse matrix.

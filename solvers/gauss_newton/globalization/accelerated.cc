@@ -9,17 +9,17 @@
 namespace deformlab {
 namespace {
 
-// A shorter step than kShort increases the damping of the next direction, to kShortDamping at
-// least, and a longer one than kLong decreases it.
+// A step shorter than kShort increases the damping of the next direction to at least kShortDamping,
+// and a step longer than kLong decreases it.
 constexpr double kShort = 0.25, kLong = 0.75, kShortDamping = 1e-3;
 // If F falls by less than this share of what was promised, geodesic acceleration is tried.
 constexpr double kPoor = 0.25;
 // A direction is made conjugate if β is less than kMostConjugate, and if the result still has at
 // least kDescent of the slope.
 constexpr double kMostConjugate = 5, kDescent = 0.1;
-constexpr int kMostLengths = 4;      // that are tried along one direction
-constexpr double kSameLength = 0.1;  // relative; a length that is so close is not tried
-constexpr double kMostLength = 4;    // of an interpolated one; the least is a tenth of the last
+constexpr int kMostLengths = 4;      // lengths that are tried along one direction
+constexpr double kSameLength = 0.1;  // a length with a smaller relative change is not tried
+constexpr double kMostLength = 4;    // interpolated lengths are no less than a tenth of the last
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void Accelerated::start(int unknowns) {
   }
 }
 
-// Where Gauss–Newton's steps alone close a gap at a constant rate, conjugate ones are faster.
+// Where plain Gauss–Newton steps converge at a constant rate, conjugate directions are faster.
 void Accelerated::make_conjugate(Iterate& iterate) {
   Eigen::VectorXd& delta = iterate.delta();
   newton_ = delta;
@@ -58,7 +58,7 @@ void Accelerated::find_length(Iterate& iterate, double slope, Iteration& step) c
   for (int i = 0; i < kMostLengths; ++i) {
     const double there = iterate.try_step(scale);
     if (there < step.cost) step.cost = there, step.step_scale = scale;
-    const double curvature = there - iterate.cost() - scale * slope;  // times scale² / 2
+    const double curvature = there - iterate.cost() - scale * slope;  // F″ along δ · scale² / 2
     double next = scale / 2;
     if (std::isfinite(there)) {
       if (!(curvature > iterate.rounding())) break;
@@ -69,8 +69,8 @@ void Accelerated::find_length(Iterate& iterate, double slope, Iteration& step) c
   }
 }
 
-// Tries the full step with geodesic acceleration. Takes it if F is less there than at the best
-// point along δ; else the direction is the old one, and no trial point is prepared.
+// Tries the full step with geodesic acceleration, and takes it if F is less there than at the best
+// point along δ. Otherwise it restores δ, and there is no trial point.
 bool Accelerated::try_geodesic_step(Iterate& iterate, Iteration& step) {
   if (!std::isfinite(iterate.try_step(1))) return false;
   if (!iterate.compute_geodesic_correction(correction_)) return false;

@@ -26,8 +26,8 @@ class Accelerated final : public Globalization {
   void adapt_damping(double length);
 
   double damping_ = 0;
-  bool conjugate_ = false;  // whether there is a last direction to be conjugate to
-  bool geodesic_ = true;    // whether geodesic acceleration has helped when it was last tried
+  bool conjugate_ = false;  // whether the next direction can be made conjugate to the last one
+  bool geodesic_ = true;    // whether geodesic acceleration helped when it was last tried
   Eigen::VectorXd newton_, gradient_;  // Gauss–Newton's direction and Jᵀr
   Eigen::VectorXd last_newton_, last_gradient_, last_delta_;  // and those of the last step
   Eigen::VectorXd correction_;

@@ -6,7 +6,7 @@
 
 namespace deformlab {
 
-/// Full Gauss–Newton steps, as in Sumner et al. 2007. They can go uphill.
+/// Full Gauss–Newton steps, as in Sumner et al. 2007. They can increase F.
 class FullSteps final : public Globalization {
  public:
   Outcome advance(Iterate& iterate, Iteration& step) override {

@@ -14,16 +14,17 @@ enum class Outcome {
   kAccepted,   ///< the last trial point of the iterate becomes the new x
   kUphill,     ///< no step that was tried lowers F
   kNotFinite,  ///< F is not finite after the step
-  kSingular    ///< JᵀJ cannot be factored, however damped
+  kSingular    ///< JᵀJ cannot be factored, even with damping
 };
 
-/// Makes Gauss–Newton converge from afar: it chooses the direction and the length of each step.
+/// Makes Gauss–Newton converge from a distant start: it chooses the direction and the length of
+/// each step.
 class Globalization {
  public:
   virtual ~Globalization() = default;
 
-  /// Called at the start of each solve. Room for n unknowns is to be allocated here, since nothing
-  /// should allocate in `advance`.
+  /// Called at the start of each solve. Memory for n unknowns should be allocated here, because
+  /// `advance` should allocate nothing.
   virtual void start(int /*unknowns*/) {}
   /// Finds a step from the iterate and leaves its end as the trial point. Fills step.cost,
   /// step.step_scale (if it is not 1) and step.damping.
@@ -32,10 +33,10 @@ class Globalization {
 
 using GlobalizationFactory = std::function<std::unique_ptr<Globalization>()>;
 
-/// From now on solver.globalization may be `name`. Throws InputError if the name is taken.
+/// Makes `name` a value of solver.globalization. Throws InputError if the name is taken.
 void register_globalization(const std::string& name, GlobalizationFactory factory);
 
-/// "none", "line_search", "levenberg", "accelerated" or one that was registered. Throws InputError
+/// Makes "none", "line_search", "levenberg", "accelerated" or a registered one. Throws InputError
 /// for any other name; the message lists the known ones.
 std::unique_ptr<Globalization> make_globalization(const std::string& name);
 

@@ -5,7 +5,7 @@
 namespace deformlab {
 namespace {
 
-// The products with JᵀJ read four numbers at a time, up to so many columns beyond the last block.
+// The products with JᵀJ read four numbers at a time, up to this many columns beyond the last block.
 constexpr int kReadBeyond = 4;
 
 }  // namespace

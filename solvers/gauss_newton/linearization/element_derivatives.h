@@ -10,8 +10,8 @@ namespace deformlab {
 
 class NodeBlocks;
 
-/// The derivatives of the elements of one term that is not Kronecker: J of every element or, where
-/// an element reads one node only, JᵀJ, which is then smaller. Also Jᵀr of every element.
+/// The derivatives of a term that is not Kronecker: for each element Jᵀr, and either J or JᵀJ. JᵀJ
+/// is smaller if an element reads only one node.
 class ElementDerivatives {
  public:
   ///   squared  whether JᵀJ is kept instead of J
@@ -20,9 +20,9 @@ class ElementDerivatives {
 
   /// Computes J at x or, if squared, JᵀJ and Jᵀr.
   void compute(const Unknowns& x);
-  /// Multiplies J of every element by its factor. Not if squared.
+  /// Multiplies J of every element by its factor. Only if J is kept.
   void scale(const Eigen::VectorXd& factors);
-  /// Jᵀr of every element from its J. Not if squared.
+  /// Computes Jᵀr of every element. Only if J is kept.
   ///   r  rows × elements
   void multiply_transposed(const Eigen::MatrixXd& r, Eigen::MatrixXd& Jtr) const;
 
@@ -31,7 +31,8 @@ class ElementDerivatives {
   bool squared() const { return squared_; }
   /// How many entries of X an element reads: the number of columns of its J.
   int width() const { return width_; }
-  /// A term that is Kronecker but for its loss couples no two coordinates.
+  /// Whether elements couple different coordinates. A term that only its loss makes nonlinear does
+  /// not.
   bool couples_coordinates() const { return energy_->structure() != Structure::kKronecker; }
   /// The columns of X that element e reads, width() / d of them.
   const int* columns_read(int e) const {
@@ -45,12 +46,12 @@ class ElementDerivatives {
     const std::ptrdiff_t first = std::ptrdiff_t(e) * width_;
     return squared_ ? JtJ_(p, first + q) : J_.col(first + p).dot(J_.col(first + q));
   }
-  /// Adds each d×d block of w JᵀJ by its mean diagonal.
+  /// Adds the mean of the diagonal of each d×d block of w JᵀJ.
   ///   index  of this energy among those of the blocks
   void add_mean_diagonals(std::size_t index, NodeBlocks& blocks) const;
 
-  /// sum += w Σ of a vector of every element, such as Jᵀr, over the unknowns.
-  ///   own  width × elements
+  /// Adds w times the vectors of all elements, such as their Jᵀr, to a vector over the unknowns.
+  ///   own  the vectors, width × elements
   void add(const Eigen::MatrixXd& own, Eigen::VectorXd& sum) const;
   /// own −= JᵀJ δ of every element.
   ///   scratch  room for width() numbers

@@ -14,10 +14,10 @@ class KroneckerPart {
  public:
   KroneckerPart(const WeightedEnergy& term, const FreeColumns& columns);
 
-  /// Takes over the targets that the energy has now.
+  /// Reads the current targets of the energy.
   void set_targets();
 
-  /// w E at X, which has all columns.
+  /// w E at X, which has all columns, also those of fixed nodes.
   double cost(const ColumnBlock& X) const;
   /// The same, and adds w Σ_e r_e a_eᵀ to G, which is half of w ∂E/∂X.
   double cost(const ColumnBlock& X, ColumnBlock& G) const;

@@ -9,7 +9,7 @@ class LinearPart {
  public:
   LinearPart(const WeightedEnergy& term, const Unknowns& x, const FreeColumns& columns);
 
-  /// w E at x. The residuals stay for `linearize`.
+  /// Returns w E at x, and keeps the residuals for `linearize`.
   double cost(const Unknowns& x);
   /// Adds w Jᵀr at x, where the cost was computed last, to Jtr.
   void linearize(const Unknowns& x, Eigen::VectorXd& Jtr);

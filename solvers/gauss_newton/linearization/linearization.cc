@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kMostCoordinates = 4;  // of a column block
 
-// Once F has fallen to this share of the value that was last summed over all residuals, rounding
-// errors count, so it is summed again.
+// If F has decreased to this share of the value that was last computed from all residuals, its
+// rounding errors are no longer small, so it is computed again.
 constexpr double kRefresh = 1e-8;
 
 template <class Part>
@@ -163,7 +163,7 @@ SparseMatrix Linearization::nearest_of_others() const {
     const ElementDerivatives& part = *derivatives_[i];
     if (part.couples_coordinates()) {
       part.add_mean_diagonals(i, blocks);
-    } else {  // Kronecker but for its loss, which scales each element's coefficients by √ρ′
+    } else {  // a Kronecker term whose loss scales the coefficients of each element by √ρ′
       const Eigen::VectorXd& root = nonlinear_[i - linear_.size()].root();
       Eigen::MatrixXd a(columns_of_element(part.energy()), part.energy().size());
       part.energy().coefficients(a.data());

@@ -17,12 +17,12 @@ enum class ColumnOrder {
   kFillReducing  ///< so that a factor of A has few nonzeros
 };
 
-/// A problem linearized: the residuals r of all its terms, each scaled by √w, and their derivative
-/// J, kept term by term as the structure of each one allows. What is constant is computed once, by
-/// the constructor; afterwards nothing allocates.
+/// The linearization of a problem: the residuals r of all its terms, each scaled by √w, and their
+/// derivative J, which is kept term by term as the structure of each one allows. The constructor
+/// computes what is constant. Iterations allocate nothing.
 ///
-/// Along a direction the Kronecker terms are not evaluated: their share of F is quadratic, so A
-/// tells how it changes.
+/// The Kronecker terms are not evaluated along a direction, because their part of F is a quadratic
+/// function that A determines.
 class Linearization {
  public:
   /// Computes J at problem.x. Throws InputError for more than four coordinates.
@@ -31,11 +31,11 @@ class Linearization {
   Linearization(const Linearization&) = delete;  // the parts refer to columns_
   Linearization& operator=(const Linearization&) = delete;
 
-  /// Takes over the terms' targets. To be called between Energy::set_targets and `evaluate`.
+  /// Reads the current targets of the terms. Call it between Energy::set_targets and `evaluate`.
   void set_targets();
-  /// F at x. The residuals stay for `linearize`.
+  /// Returns F at x, and keeps the residuals for `linearize`.
   double evaluate(const Unknowns& x);
-  /// w E of each term at x, in the problem's order. Afterwards `evaluate` has to come before
+  /// w E of each term at x, in the problem's order. After it, `evaluate` has to be called before
   /// `linearize`.
   std::vector<double> cost_by_term(const Unknowns& x);
   /// Computes J and Jᵀr at x, where F was evaluated last.
@@ -47,8 +47,8 @@ class Linearization {
   void step(const Unknowns& x, const Eigen::VectorXd& delta, double scale, Unknowns& to) const;
   /// F at `to` = x + scale · δ.
   double evaluate_step(const Unknowns& to, double scale);
-  /// Computes J and Jᵀr at the `to` that was evaluated last, which is the new x. Returns F there,
-  /// without the rounding errors that many steps add up.
+  /// Computes J and Jᵀr at the `to` that was evaluated last, which is the new x. Returns F there.
+  /// From time to time it evaluates all terms, so that rounding errors do not add up.
   double linearize_step(const Unknowns& to);
 
   /// q = Jᵀ (r(x + δ) − r(x) − J δ), where x is what was linearized last, and x + δ what was
@@ -68,12 +68,13 @@ class Linearization {
   /// The nonlinear terms. Their derivatives, which change, are the last ones above.
   const std::vector<NonlinearPart>& nonlinear_parts() const { return nonlinear_; }
 
-  /// The lower triangle of C, where C ⊗ I_d is the nearest such matrix, in the Frobenius norm, to
-  /// what the other terms add to JᵀJ: each d×d block counts by its mean diagonal. C has every entry
-  /// of its diagonal.
+  /// The lower triangle of C. C ⊗ I_d is the matrix of this form that is nearest, in the Frobenius
+  /// norm, to what the other terms add to JᵀJ: C has the mean of the diagonal of each d×d block,
+  /// and every entry of its own diagonal.
   SparseMatrix nearest_of_others() const;
   /// A lower triangle over the free columns with an entry wherever an element of the other terms
-  /// reads both columns; only of terms that couple coordinates, or only of those that do not.
+  /// reads both columns. It is only about terms that couple coordinates, or only about those that
+  /// do not.
   SparseMatrix structure_of_others(bool couple_coordinates) const;
 
  private:
@@ -90,10 +91,10 @@ class Linearization {
   ColumnBlock G_;          // the free ones in the order of their ranks
   ColumnBlock delta_, Adelta_;
   Eigen::VectorXd Jtr_;
-  std::vector<double> scratch_;  // as much as an element reads
-  // The Kronecker terms' share of F at x, and its slope and curvature along δ.
+  std::vector<double> scratch_;  // for the numbers that an element reads
+  // The Kronecker terms' part of F at x, and its slope and curvature along δ.
   double kronecker_cost_ = 0, slope_ = 0, curvature_ = 0;
-  // From the last evaluate_step: the step length, and the two shares of F.
+  // From the last evaluate_step: the step length, and the two parts of F.
   double scale_ = 0, trial_kronecker_cost_ = 0, trial_other_cost_ = 0;
   double exact_cost_ = 0;  // F where all residuals were last evaluated
 };

@@ -11,7 +11,8 @@
 namespace deformlab {
 namespace {
 
-// Elements that read so few nodes are not grouped: they are added as fast as they are looked up.
+// Elements that read no more nodes are not grouped, because adding one is as fast as finding its
+// group.
 constexpr int kFewNodes = 2;
 
 std::uint64_t hash(std::span<const int> nodes) {
@@ -75,7 +76,7 @@ NodeBlocks::NodeBlocks(const std::vector<int>& first, const std::vector<const En
   find_blocks();
 }
 
-// Finds the groups with a hash table with open addressing.
+// Finds the groups with a hash table that uses open addressing.
 NodeBlocks::Groups NodeBlocks::group(const Energy& energy) {
   const int count = energy.size();
   if (energy.arity() <= kFewNodes) return {&energy, {}, numbers(count), numbers(count + 1), 0};

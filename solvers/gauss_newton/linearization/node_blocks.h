@@ -9,13 +9,13 @@
 
 namespace deformlab {
 
-/// A symmetric matrix over the columns of X while it is summed up: one dense block for every two
-/// nodes that some element reads together. The time to find the blocks and to add to them is linear
-/// in the number of elements.
+/// A symmetric matrix over the columns of X, to which elements are added. It has a dense block for
+/// every two nodes that some element reads together. The time to find the blocks and to add to them
+/// is linear in the number of elements.
 class NodeBlocks {
  public:
   ///   first     Unknowns::first
-  ///   energies  all that may be added; the functions below name one by its index among them
+  ///   energies  those that may be added; the functions below take the index of one of them
   NodeBlocks(const std::vector<int>& first, const std::vector<const Energy*>& energies);
 
   /// Adds w Σ a aᵀ over the elements of a Kronecker term.
@@ -28,12 +28,12 @@ class NodeBlocks {
   /// Adds 1 for every two columns that an element reads together.
   void add_structure(std::size_t energy);
 
-  /// The lower triangle over those columns of X that have a rank (0 … n − 1; the others have −1),
-  /// in the order of their ranks. Entries that are zero are left out, except on the diagonal.
+  /// The lower triangle over the n columns of X that have a rank, in the order of their ranks. The
+  /// others have the rank −1. Entries that are zero are left out, except on the diagonal.
   SparseMatrix lower(const std::vector<int>& rank, int n) const;
 
-  /// Calls visit(p, q, value) for the entries of the lower triangle, by columns p ≥ q of X, that
-  /// are not zero or on the diagonal.
+  /// Calls visit(p, q, value) for each entry of the lower triangle that is on the diagonal or not
+  /// zero. p ≥ q are columns of X.
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (std::size_t s = 0; s < nodes_.size(); ++s) {

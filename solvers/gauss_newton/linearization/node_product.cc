@@ -7,7 +7,7 @@ namespace {
 
 // Hp += w JᵀJ p for elements that read one node each, with a dense block JᵀJ for each node. Four
 // entries are read from the first entry of a column on. If d < 4, the last ones belong to the next
-// column, so they are multiplied by 0 in the end.
+// column, so they are finally multiplied by 0.
 template <int d, int count>
 DEFORMLAB_INLINE void multiply(const int* rank, const double* JtJ, std::ptrdiff_t elements,
                                double weight, const double* p, double* Hp) {

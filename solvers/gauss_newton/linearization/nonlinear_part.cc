@@ -18,7 +18,7 @@ double NonlinearPart::cost(const Unknowns& x) {
   return derivatives_.weight() * squared_sum(r_, loss_.get());
 }
 
-// Jᵀr of every element. J contains √ρ′ already, and r does not.
+// Computes Jᵀr of every element. J is scaled by √ρ′ already, and r is not.
 void NonlinearPart::multiply_transposed(Eigen::MatrixXd& Jtr) const {
   derivatives_.multiply_transposed(r_, Jtr);
   for (Eigen::Index e = 0; e < root_.size(); ++e) Jtr.col(e) *= root_[e];

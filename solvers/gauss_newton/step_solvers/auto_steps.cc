@@ -10,10 +10,10 @@
 namespace deformlab {
 namespace {
 
-constexpr int kFewUnknowns = 100;       // JᵀJ of so few is factored in no time
+constexpr int kFewUnknowns = 100;       // with fewer, factoring JᵀJ takes almost no time
 constexpr double kMostCondition = 1e5;  // beyond it, conjugate gradients are not tried
 
-// Why JᵀJ should be factored, as the structure of the terms tells; empty if there is no reason.
+// Why the number of unknowns or the structure of the terms requires factoring JᵀJ; else empty.
 std::string reason_to_factor(const Problem& problem) {
   const auto unknowns = problem.x.X.size();
   if (unknowns < kFewUnknowns) return fmt::format("there are only {} unknowns", unknowns);

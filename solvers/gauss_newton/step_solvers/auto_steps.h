@@ -40,7 +40,7 @@ class AutoSteps final : public StepSolver {
   int threads_;
   std::string reason_;
   bool unfinished_ = false;                 // some solve by conjugate gradients did not converge
-  std::unique_ptr<KroneckerCg> iterative_;  // one of the two is there
+  std::unique_ptr<KroneckerCg> iterative_;  // one of the two is null
   std::unique_ptr<DirectSteps> direct_;
 };
 

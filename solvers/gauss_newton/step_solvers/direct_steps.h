@@ -10,7 +10,7 @@
 
 namespace deformlab {
 
-/// Directions by a factorization of JᵀJ in each step, as in the paper. The order and the symbolic
+/// Computes directions by factoring JᵀJ in each step, as the paper does. The order and the symbolic
 /// factorization are found once for each compilation.
 class DirectSteps final : public StepSolver {
  public:

@@ -14,10 +14,10 @@
 namespace deformlab {
 namespace {
 
-constexpr double kForcing = 0.02;     // stop at an iteration that gains less than this share of all
+constexpr double kForcing = 0.02;     // stops when an iteration gains no more than this share
 constexpr int kMostIterations = 200;  // of one step
 constexpr int kConditionIterations = 4;
-constexpr double kRidge = 1e-10;  // relative, where Ã is singular
+constexpr double kRidge = 1e-10;  // the first relative damping of a singular Ã
 
 }  // namespace
 
@@ -103,12 +103,11 @@ StepResult KroneckerCg::solve(const Linearization& linearization, const Eigen::V
   return result;
 }
 
-// Conjugate gradients on H δ = r, until an iteration lowers the quadratic model by no more than the
-// share `forcing` of what all iterations together have gained: what is left to gain is then about
-// as little. If ⟨r, M⁻¹r⟩ has grown since the start, the gains say little, and the iteration goes
+// Conjugate gradients on H δ = r. They end when an iteration lowers the quadratic model by no more
+// than the share `forcing` of the gain of all iterations, because the remaining gain is then about
+// as small. If ⟨r, M⁻¹r⟩ has grown since the start, the gains say little, and the iteration goes
 // on. The matrix counts as singular if H turns out not to be positive definite, or if there is no
-// factor of M. Since z is M⁻¹ r, M times a direction p = z + β p follows from r by the same
-// recurrence.
+// factor of M. M p needs no product: since z = M⁻¹ r, it follows from r as p follows from z.
 StepResult KroneckerCg::iterate(const Linearization& linearization, double damping, double forcing,
                                 int most) {
   StepResult result;
@@ -163,7 +162,7 @@ double KroneckerCg::estimate_condition(const Linearization& linearization) {
   return condition();
 }
 
-// Lanczos' relation: the coefficients of conjugate gradients give a tridiagonal matrix whose
+// By Lanczos' relation, the coefficients of conjugate gradients give a tridiagonal matrix whose
 // extreme eigenvalues approach those of the preconditioned matrix.
 double KroneckerCg::condition() const {
   if (measured_ == 0) return 0;

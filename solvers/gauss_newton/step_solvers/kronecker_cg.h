@@ -8,17 +8,17 @@
 
 namespace deformlab {
 
-/// Directions by conjugate gradients on the exact H = JᵀJ, which is never assembled. The
-/// preconditioner is M = Ã ⊗ I_d, the nearest such matrix to JᵀJ in the Frobenius norm at the state
-/// that was compiled: the Kronecker terms are A ⊗ I_d already, and of the others each d×d block
-/// counts by its mean diagonal. Ã has one d²-th of JᵀJ's entries and is factored once for each
-/// compilation. A solve with it handles all d coordinates of a column at once.
+/// Computes directions by conjugate gradients on the exact H = JᵀJ, which is never assembled. The
+/// preconditioner M = Ã ⊗ I_d is the matrix of this form that is nearest to JᵀJ, in the Frobenius
+/// norm, at the state of the compilation. The Kronecker terms have this form, A ⊗ I_d, already; of
+/// the others Ã has the mean of the diagonal of each d×d block. Ã is factored once for each
+/// compilation, and a solve with it handles all d coordinates of a column at once.
 class KroneckerCg final : public StepSolver {
  public:
   /// Throws InputError if no term is Kronecker.
   ColumnOrder prepare(const Problem& problem) override;
   void compile(const Linearization& linearization) override;
-  /// Inexact: iterates until another iteration would gain little.
+  /// The result is inexact: iterations end when another one would gain little.
   StepResult direction(const Linearization& linearization, double damping, const Eigen::VectorXd& D,
                        Eigen::VectorXd& delta) override;
   StepResult geodesic_correction(const Linearization& linearization, const Eigen::VectorXd& q,
@@ -47,11 +47,11 @@ class KroneckerCg final : public StepSolver {
   bool factored_ = false;    // false if Ã is not finite
   SparseMatrix minus_C_;     // A − Ã, lower triangle
   ColumnBlock r_, z_, p_, Mp_, Hp_, delta_, D_;
-  // From the first iterations of the last solve: the diagonal of the tridiagonal matrix that has
-  // about the same extreme eigenvalues as the preconditioned one, and the entries beside it.
+  // The diagonal of a tridiagonal matrix, and the entries beside it, from the first iterations of
+  // the last solve. Its extreme eigenvalues are about those of the preconditioned matrix.
   Eigen::VectorXd diagonal_{kMostMeasured}, beside_{kMostMeasured};
   Eigen::Index measured_ = 0;
-  std::vector<double> scratch_;  // as much as an element reads
+  std::vector<double> scratch_;  // for the numbers that an element reads
 };
 
 }  // namespace deformlab

@@ -22,9 +22,9 @@ NormalMatrix::NormalMatrix(const Linearization& linearization, const Ordering& o
   constant_ = Eigen::Map<const Eigen::VectorXd>(H_.valuePtr(), H_.nonZeros());
 }
 
-// A ⊗ I_d, and zeros wherever other terms will add.
-//   uncoupled  A, with an entry for every two columns of which equal coordinates meet
-//   coupled    not zero for every two columns of which all coordinates meet
+// A ⊗ I_d, with zeros where other terms will be added.
+//   uncoupled  A, with an entry for every two columns whose equal coordinates an element couples
+//   coupled    not zero for every two columns of which an element couples all coordinates
 SparseMatrix NormalMatrix::pattern(const SparseMatrix& uncoupled, const SparseMatrix& coupled,
                                    int d) const {
   std::vector<SparseEntry> entries;
@@ -34,14 +34,14 @@ SparseMatrix NormalMatrix::pattern(const SparseMatrix& uncoupled, const SparseMa
     const auto [col, row] = std::minmax<int>({position_[d * p + i], position_[d * q + k]});
     entries.push_back({row, col, value});
   };
-  std::vector<Eigen::Index> met(uncoupled.cols(), -1);  // the last column that had each row
+  std::vector<Eigen::Index> met(uncoupled.cols(), -1);  // for each row, the last column with it
   for (Eigen::Index c = 0; c < uncoupled.cols(); ++c) {
     for (SparseMatrix::InnerIterator it(uncoupled, c); it; ++it) {
       met[it.row()] = c;
       for (int i = 0; i < d; ++i) add(i, it.row(), i, c, it.value());
     }
     for (SparseMatrix::InnerIterator it(coupled, c); it; ++it) {
-      if (it.value() == 0) continue;  // a diagonal that no such element reads
+      if (it.value() == 0) continue;  // a diagonal entry that no such element reads
       for (int i = 0; i < d; ++i) {
         for (int k = 0; k < (it.row() == c ? i : d); ++k) {
           if (i != k || met[it.row()] != c) add(i, it.row(), k, c, 0);
@@ -52,8 +52,8 @@ SparseMatrix NormalMatrix::pattern(const SparseMatrix& uncoupled, const SparseMa
   return sparse_matrix(entries, static_cast<int>(position_.size()));
 }
 
-// visit(p, q, row, column) for every pair of entries p, q of an element that are both unknowns and
-// meet in H's lower triangle.
+// Calls visit(p, q, row, column) for every two entries p, q of an element that are both unknowns
+// and share an entry of H's lower triangle.
 template <class Visit>
 void NormalMatrix::for_each_pair(const Linearization& linearization, const ElementDerivatives& part,
                                  int e, Visit&& visit) const {

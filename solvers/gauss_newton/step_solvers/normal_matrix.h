@@ -9,16 +9,15 @@
 
 namespace deformlab {
 
-/// H = JᵀJ of a linearization, assembled as one sparse matrix in an order of its own. Only the
-/// share of the nonlinear terms changes. The structure is found column by column of X, and what two
-/// columns have in common is spread over their coordinates, so that the time is linear in the
-/// number of elements.
+/// H = JᵀJ of a linearization, assembled as one sparse matrix in an order of its own. Only the part
+/// of the nonlinear terms changes. The structure is found for the columns of X and then extended to
+/// their coordinates, so that the time is linear in the number of elements.
 class NormalMatrix {
  public:
   /// Finds an order for a matrix, as LinearSolver::order does.
   using Ordering = std::function<Eigen::VectorXi(const SparseMatrix& lower)>;
 
-  /// H has its numbers after `update`.
+  /// `update` computes the values of H.
   NormalMatrix(const Linearization& linearization, const Ordering& ordering);
 
   /// Assembles H where the problem was linearized last.
@@ -40,8 +39,8 @@ class NormalMatrix {
   std::vector<int> position_;
   SparseMatrix H_;
   Eigen::VectorXd constant_;  // H's values without the nonlinear terms
-  // For each of the linearization's derivatives the index into H's values of every pair of entries
-  // of an element.
+  // For each of the linearization's derivatives, and for each pair of entries of each element: the
+  // index of the pair among H's values.
   std::vector<std::vector<int>> targets_;
 };
 

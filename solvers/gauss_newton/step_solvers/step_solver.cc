@@ -13,7 +13,7 @@
 namespace deformlab {
 namespace {
 
-/// Each step factors JᵀJ with a solver that `make` gives.
+/// Makes step solvers that factor JᵀJ with what `make` returns.
 StepSolverFactory direct_steps(const std::string& name, const LinearSolverFactory& make) {
   if (!make) return nullptr;
   return [=](int threads) { return std::make_unique<DirectSteps>(name, make(threads)); };

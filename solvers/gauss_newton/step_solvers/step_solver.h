@@ -36,45 +36,45 @@ class StepSolver {
   /// Called whenever J has changed.
   virtual void update(const Linearization& linearization);
 
-  /// δ at what was linearized last.
+  /// Computes δ where the problem was linearized last.
   ///   D  n, used if damping > 0
   virtual StepResult direction(const Linearization& linearization, double damping,
                                const Eigen::VectorXd& D, Eigen::VectorXd& delta) = 0;
-  /// c = −(JᵀJ)⁻¹ q with the matrix that the last direction was computed with, or without its
-  /// damping.
+  /// Computes c = −(JᵀJ)⁻¹ q where the last direction was computed. The matrix may have the damping
+  /// of this direction.
   ///   q  n, Jᵀ times the second-order part of the residuals (Linearization::second_order)
   virtual StepResult geodesic_correction(const Linearization& linearization,
                                          const Eigen::VectorXd& q, Eigen::VectorXd& c) = 0;
   /// D = the diagonal of JᵀJ.
   void diagonal(const Linearization& linearization, Eigen::VectorXd& D) const;
 
-  /// Its name in solver.linear_solver.
+  /// The value of solver.linear_solver for it.
   virtual std::string name() const = 0;
-  /// Why it was chosen, where the choice was automatic.
+  /// Why it was chosen; empty unless the choice was automatic.
   virtual std::string reason() const { return ""; }
   /// The nonzeros of JᵀJ's lower triangle, as it is kept, and of the factor.
   virtual long nonzeros_JtJ(const Linearization& linearization) const = 0;
   virtual long nonzeros_factor() const = 0;
-  /// The condition number of the preconditioned matrix, as the last direction showed it; 0 if there
-  /// is no preconditioner.
+  /// The condition estimate of the preconditioned matrix from the last solve; 0 if there is no
+  /// preconditioner.
   virtual double condition() const { return 0; }
-  /// How many threads it uses.
+  /// The number of threads that it uses.
   virtual int threads() const { return 1; }
 };
 
-/// Makes a step solver that may use so many threads.
+/// Makes a step solver that may use this number of threads.
 using StepSolverFactory = std::function<std::unique_ptr<StepSolver>(int threads)>;
 
-/// Makes a linear solver that may use so many threads.
+/// Makes a linear solver that may use this number of threads.
 using LinearSolverFactory = std::function<std::unique_ptr<LinearSolver>(int threads)>;
 
-/// From now on solver.linear_solver may be `name`. Throws InputError if the name is taken.
+/// Makes `name` a value of solver.linear_solver. Throws InputError if the name is taken.
 void register_step_solver(const std::string& name, StepSolverFactory factory);
 
-/// The same for a linear solver, with which each step then factors JᵀJ (DirectSteps).
+/// The same for a linear solver. DirectSteps uses it to factor JᵀJ in each step.
 void register_linear_solver(const std::string& name, const LinearSolverFactory& factory);
 
-/// "auto", "cholmod", "eigen_ldlt", "kronecker_cg", or one that was registered. Throws InputError
+/// Makes "auto", "cholmod", "eigen_ldlt", "kronecker_cg", or a registered one. Throws InputError
 /// for any other name; the message lists the known ones.
 std::unique_ptr<StepSolver> make_step_solver(const std::string& name, int threads = 1);
 
