@@ -20,11 +20,12 @@ struct GraphTermList {};
 template <class... Term>
 struct TermList {};
 
-/// The terms over a deformation graph. A term in this list has a weight in configs, both solvers, a
-/// column in results and every law test, for each node model that it is defined for.
+/// The terms over a deformation graph. A term in this list has a weight in configs and a column in
+/// results, both solvers minimise it, and the tests check its laws, for each node model that it is
+/// defined for.
 using GraphTerms = GraphTermList<Rotation, Regularization, Constraint, Smoothness, Orientation>;
 
-/// The terms over a triangulation of the plane, which arap_2d minimises. The same laws are tested.
+/// The terms over a triangulation of the plane, which arap_2d minimises. Tests check their laws.
 using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PointConstraint>;
 
 }  // namespace deformlab

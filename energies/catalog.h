@@ -25,17 +25,17 @@ struct EnergyInfo {
 /// All terms: those of energies/all.h in the order of the list, then those that were registered.
 const std::vector<EnergyInfo>& known_energies();
 
-/// The term of this name. Throws InputError if there is none; the message lists those there are.
+/// The term of this name. Throws InputError if there is none; the message lists the known ones.
 const EnergyInfo& energy_info(std::string_view name);
 
-/// The term of this name, summed over a graph and its handles. Throws InputError for an unknown
+/// Makes the term of this name, summed over a graph and handles. Throws InputError for an unknown
 /// name, an option that the term does not have or cannot take, and a term that is not defined for
 /// the context's model of nodes.
 std::unique_ptr<Energy> make_energy(std::string_view name, const GraphContext& context,
                                     const OptionValues& options = {});
 
-/// What is set for one term: its weight w, the default if none is given, and its own options. A
-/// number alone stands for the weight.
+/// The settings of one term: its weight w, which has a default, and its own options. A number alone
+/// is the weight.
 struct TermSettings {
   std::optional<double> weight{};
   OptionValues options{};
@@ -46,7 +46,7 @@ struct TermSettings {
   TermSettings(std::optional<double> w, OptionValues o) : weight(w), options(std::move(o)) {}
 };
 
-/// Throws InputError for an unknown term, a weight that is no number of 0 or more, and an option
+/// Throws InputError for an unknown term, a weight that is negative or not a number, and an option
 /// that the term does not have.
 void check_settings(const std::map<std::string, TermSettings>& energies);
 

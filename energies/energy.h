@@ -8,7 +8,7 @@
 
 namespace deformlab {
 
-/// What a solver may rely on. Solvers check what a term declares (energies/structure.h).
+/// The structure of a term, which solvers rely on and check (energies/structure.h).
 enum class Structure {
   kKronecker,  ///< r = X a − b with the same coefficients a for all d coordinates: JᵀJ = A ⊗ I_d
   kLinear,     ///< r = J x − b, J constant
@@ -45,7 +45,7 @@ class Energy {
     return nodes().subspan(std::size_t(e) * arity(), arity());
   }
 
-  /// One element, whose a-th node begins at x[a]. J may be null.
+  /// Evaluates element e, whose a-th node begins at x[a]. J may be null.
   virtual void evaluate(int e, const double* const* x, double* r, double* J) const = 0;
   /// The residuals of all elements, rows() × size().
   virtual void residuals(const Unknowns& x, double* r) const = 0;
@@ -58,7 +58,7 @@ class Energy {
   /// What each element adds to the normal equations: JᵀJ, a square matrix of jacobian_columns() for
   /// each element, side by side, and Jᵀr, jacobian_columns() × size().
   virtual void normal_equations(const Unknowns& x, double* JtJ, double* Jtr) const = 0;
-  /// Jᵀ at x times other residuals r, rows() × size(), for each element.
+  /// The product of Jᵀ at x and given residuals r, rows() × size(), for each element.
   virtual void transposed_products(const Unknowns& x, const double* r, double* Jtr) const = 0;
 
   /// Sets the targets, d×p, of a term that has any, such as the q_l of Eq. 8.

@@ -19,8 +19,8 @@ struct CatalogEntry {
 /// Throws InputError if the name is not new.
 void add_to_catalog(CatalogEntry entry);
 
-/// Whether every argument of a term finds its columns in such a node. A term that reads R_j as a
-/// matrix finds too few in a rigid one.
+/// Whether such a node has the columns that each argument of the term reads. A rigid node has too
+/// few for a term that reads R_j as a matrix.
 template <class Term, class Node>
 constexpr bool fits() {
   using Plain = SignatureOf<Term>;
@@ -66,8 +66,8 @@ CatalogEntry catalog_entry() {
 
 /// Adds a term of your own to the catalog: `register_energy<Volume>();` for a struct
 /// `template <class Node> struct Volume`. From then on it has a name in configs and options, a
-/// weight, a loss and options, and goes through both solvers, as the built-in terms do. Call it
-/// before anything reads a config or makes a deformer, from one thread. Throws InputError if there
+/// weight, a loss and options, and both solvers minimise it, as with the built-in terms. Call it
+/// from one thread, before anything reads a config or makes a deformer. Throws InputError if there
 /// is a term of that name already.
 template <template <class> class Term>
 void register_energy() {

@@ -6,8 +6,8 @@
 
 namespace deformlab {
 
-/// Room for `count` values that need not be initialized: on the stack for up to `usual` of them, so
-/// that an update allocates nothing, and on the heap for more.
+/// Memory for `count` values, which may be uninitialized. Up to `usual` values are on the stack, so
+/// that an update allocates nothing. More values are on the heap.
 template <class T, std::size_t usual>
 class Room {
  public:

@@ -14,11 +14,11 @@ using Vector = Eigen::Matrix<T, n, 1>;
 template <class T, int d>
 using Matrix = Eigen::Matrix<T, d, d>;
 
-/// How an argument type of a term is read from its node: `kDimension` is d, `kColumns` is how many
-/// columns it reads, from the node's first. `from(x, active)` makes the argument from the stored
-/// entries x. Where the scalar is a ceres::Jet and `active` is true, entry i is variable i.
+/// How an argument of a term is read from its node: `kDimension` is d, and `kColumns` is how many
+/// of the node's first columns it reads. `from(x, active)` makes the argument from the stored
+/// entries x. If the scalar is a ceres::Jet and `active` is true, entry i is variable i.
 ///
-/// A specialization of this template makes a new type of argument known.
+/// A new type of argument needs a specialization of this template.
 template <class A>
 struct Reads;
 
@@ -40,8 +40,7 @@ struct Reads<Eigen::Matrix<T, d, c>> {
   }
 };
 
-/// The argument of a term whose elements read any number of nodes, which is the same for all of
-/// its elements.
+/// The argument of a term whose elements read any number of nodes. It is the same for all elements.
 template <class A>
 class NodeList {
  public:
@@ -51,7 +50,7 @@ class NodeList {
 
  private:
   const double* const* x_;
-  int size_, active_;  // the latter is the node whose entries are the variables of a Jet
+  int size_, active_;  // the entries of node `active_` are the variables of a Jet
 };
 
 template <class A>
@@ -59,13 +58,13 @@ concept Readable = requires {
   Reads<A>::kDimension;
 };
 
-/// A column of fixed size that holds its numbers, which an Eigen expression does not.
+/// A column vector of fixed size that stores its numbers; an Eigen expression does not.
 template <class R>
 concept FixedVector =
     std::derived_from<R, Eigen::PlainObjectBase<R>> && R::ColsAtCompileTime == 1 &&
     R::RowsAtCompileTime > 0;
 
-/// The type of a call operator for the scalar T, or void where a term has none.
+/// The type of a term's call operator for the scalar T, or void if the term has none.
 template <class Term, class T>
 struct CallOperator {
   using Type = void;
@@ -76,8 +75,8 @@ struct CallOperator<Term, T> {
   using Type = decltype(&Term::template operator()<T>);
 };
 
-/// What a call operator takes and returns. This general case stands for an operator that cannot be
-/// used, so that the static_assert that refuses it is the only error that the compiler prints.
+/// What a call operator takes and returns. This general case describes an operator that cannot be
+/// used. It compiles, so that the compiler prints no other error than the static_assert about it.
 template <class Operator>
 struct Signature {
   using Residual = Vector<double, 1>;
@@ -92,7 +91,7 @@ struct Signature {
   }
 };
 
-/// The same of an operator that returns or takes something else than a term may.
+/// The same for an operator whose type of result or of arguments a term cannot have.
 template <class R, bool readable>
 struct RefusedSignature : Signature<void> {
   using Return = R;

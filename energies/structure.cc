@@ -11,10 +11,10 @@
 namespace deformlab {
 namespace {
 
-constexpr int kElements = 8;         // that are evaluated, spread over the term
-constexpr double kTolerance = 1e-9;  // relative; rounding stays far below it
-// Far from the origin, residuals are small differences of large coordinates. States of this size
-// are then large beside their rounding, and what is not linear shows as well.
+constexpr int kElements = 8;         // elements that are evaluated, spread over the term
+constexpr double kTolerance = 1e-9;  // relative; rounding errors are much smaller
+// For a shape far from the origin, residuals are small differences of large coordinates. States of
+// this size are large compared with their rounding errors, and show a nonlinearity too.
 constexpr double kFarState = 1e6;
 
 // One element at one state, whose entries are drawn from −scale … scale.
@@ -36,7 +36,7 @@ struct Sample {
   bool finite() const { return r.allFinite() && J.allFinite(); }
 };
 
-// False where a value is not finite, as no comparison with it holds.
+// Returns false if a value is not finite, because no comparison with it holds.
 bool is_affine(const Sample& a, const Sample& b) {
   const Eigen::VectorXd step = b.x - a.x;
   const double size = a.r.norm() + b.r.norm() + a.J.norm() * step.norm();

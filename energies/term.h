@@ -10,15 +10,15 @@
 
 namespace deformlab {
 
-/// The name of a term, or nothing where it has none, which TermEnergy refuses.
+/// The name of a term, or an empty one if it has none, which TermEnergy refuses.
 template <class Term>
 constexpr std::string_view name_of() {
   if constexpr (requires { Term::kName; }) return Term::kName;
   return "";
 }
 
-/// Throw InputError: an element of a term was given another number of nodes than it reads, or a
-/// weight that is negative or not a number.
+/// Throw InputError because an element of a term was given another number of nodes than it reads,
+/// or a weight that is negative or not a number.
 [[noreturn]] void throw_wrong_nodes(std::string_view term, std::size_t element, std::size_t given,
                                     int arity);
 [[noreturn]] void throw_wrong_weight(std::string_view term, std::size_t element, double weight);
@@ -44,10 +44,10 @@ constexpr std::string_view name_of() {
 /// Options, which configs set (energies/term_options.h).
 template <class Term>
 struct Terms {
-  int arity = SignatureOf<Term>::kArity;  ///< nodes an element; 0 until `add` settles any number
+  int arity = SignatureOf<Term>::kArity;  ///< nodes of an element; `add` replaces 0, any number
   std::vector<Term> elements{};
-  std::vector<int> nodes{};       ///< arity entries an element
-  std::vector<double> weights{};  ///< one an element
+  std::vector<int> nodes{};       ///< arity entries for each element
+  std::vector<double> weights{};  ///< one for each element
 
   void reserve(std::size_t count) {
     elements.reserve(count);

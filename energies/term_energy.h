@@ -22,7 +22,7 @@ constexpr Structure structure_of() {
   return Structure::kNonlinear;
 }
 
-/// Says in one line what is wrong with a term, if anything is.
+/// Checks at compile time whether a term can be used. Each check says in one line what is wrong.
 template <class Term>
 struct TermChecks {
   using Plain = SignatureOf<Term>;
@@ -50,8 +50,8 @@ struct TermChecks {
                 "a Kronecker term has as many residuals as there are coordinates");
 };
 
-/// The Energy of any term. Residuals are those of its call operator. Jacobians are those of its
-/// `jacobian` or, if it has none, found by automatic differentiation, one argument after the other.
+/// The Energy of any term. Its call operator computes residuals. Its `jacobian` computes Jacobians;
+/// without one, automatic differentiation does, one argument after the other.
 template <class Term>
 class TermEnergy final : public Energy, private TermChecks<Term> {
   template <class T>
@@ -82,12 +82,12 @@ class TermEnergy final : public Energy, private TermChecks<Term> {
                 "T, not of double alone");
 
  public:
-  /// Whether the term brings its own derivative, by an ordinary member function.
+  /// Whether the term has its own derivative, as an ordinary member function.
   static constexpr bool kCoefficients = kUsable && requires { &Term::coefficients; };
   static constexpr bool kAnalytic = kCoefficients || (kUsable && requires { &Term::jacobian; });
 
   explicit TermEnergy(Terms<Term> sum) : sum_(std::move(sum)) {
-    for (double& weight : sum_.weights) weight = std::sqrt(weight);  // what r and J take of it
+    for (double& weight : sum_.weights) weight = std::sqrt(weight);  // the factor of r and J
   }
 
   std::string_view name() const override { return name_of<Term>(); }
@@ -140,7 +140,7 @@ class TermEnergy final : public Energy, private TermChecks<Term> {
         const auto own = sum_.elements[e].coefficients(arity());
         for (int c = 0; c < count; ++c) a[c] = sum_.weights[e] * own.data()[c];
       }
-    } else {  // the first row of J, which is the same at any x
+    } else {  // reads the first row of J, which is the same at any x
       Pointers zero(arity());
       point_to_zero(zero);
       Eigen::Matrix<double, kRows, Eigen::Dynamic> J(kRows, jacobian_columns());
@@ -152,7 +152,7 @@ class TermEnergy final : public Energy, private TermChecks<Term> {
     }
   }
 
-  void offsets(double* b) const override {  // −r where all entries of X are zero
+  void offsets(double* b) const override {  // b is −r for X = 0
     Pointers zero(arity());
     point_to_zero(zero);
     for (int e = 0; e < size(); ++e, b += kRows) {

@@ -54,7 +54,7 @@ concept HasOptions = requires {
   typename Term::Options;
 };
 
-/// Shown to `fields`, it calls `use(option, value)` for each field.
+/// A visitor for `fields` that calls `use(option, value)` for each field.
 template <class Use>
 class OptionVisitor : public FieldVisitor<OptionVisitor<Use>> {
  public:
@@ -67,7 +67,7 @@ class OptionVisitor : public FieldVisitor<OptionVisitor<Use>> {
   Use use_;
 };
 
-/// What a term's options are, with their defaults.
+/// The options of a term, with their defaults.
 template <class Options>
 std::vector<OptionInfo> describe_options() {
   std::vector<OptionInfo> result;

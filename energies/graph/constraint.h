@@ -6,8 +6,8 @@
 
 namespace deformlab {
 
-/// E_con, Sumner et al. 2007, Eq. 8, one handle: the difference between where Eq. 2 takes the
-/// vertex and where it should be.
+/// E_con, Sumner et al. 2007, Eq. 8, one handle: the difference between the deformed position of
+/// the vertex (Eq. 2) and its target.
 template <class Node = AffineNode<3>>
 struct Constraint {
   static constexpr std::string_view kName = "constraint";

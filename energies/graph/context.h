@@ -12,8 +12,8 @@ enum class NodeModel { kAffine, kRigid };
 inline const Embedding kNoPoints{};
 inline const Shape kNoShape{};
 
-/// What the terms over a deformation graph are summed over. Nothing is copied: whatever is given
-/// has to live until the sum is made.
+/// What the terms over a deformation graph are summed over. Nothing is copied, so that all objects
+/// have to exist until the sum is made.
 struct GraphContext {
   /// The graph, and the handles embedded in it, in the unit of length of the problem.
   const DeformationGraph& graph;

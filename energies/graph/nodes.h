@@ -13,7 +13,7 @@ struct Affine {
   Matrix<T, d> R;
   Vector<T, d> t;  ///< [length]
 
-  /// R_j v, as an expression: use it at once.
+  /// R_j v, as an Eigen expression that is only valid as long as v is.
   auto rotated(const auto& v) const { return R * v; }
   /// R_j e_c.
   auto axis(int c) const { return R.col(c); }
@@ -70,7 +70,7 @@ struct RigidNode {
 };
 
 /// What a term reads of one node, for the scalar T: Affine<T, d> or Rigid<T>. Both have `t`,
-/// `rotated(v)` and `axis(c)`, so that one text of a term serves every model.
+/// `rotated(v)` and `axis(c)`, so that one definition of a term serves every model.
 template <class Node, class T>
 using State = typename Node::template State<T>;
 

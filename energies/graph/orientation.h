@@ -6,8 +6,8 @@
 
 namespace deformlab {
 
-/// A node does not turn space inside out: det R_j is not below a small positive number. The term is
-/// one-sided; it is zero wherever that holds. Sumner et al. 2007 have no such term, and their E_rot
+/// Prevents nodes from turning space inside out: det R_j should not be less than a small positive
+/// number. The term is zero if this holds. Sumner et al. 2007 have no such term, and their E_rot
 /// (Eq. 5) is as small for a reflection as for a rotation.
 template <class Node = AffineNode<3>>
 struct Orientation {
@@ -16,8 +16,8 @@ struct Orientation {
   static constexpr bool kRigidlyInvariant = true;
 
   struct Options {
-    /// Far enough above 0 that a moderate weight keeps det R_j positive, and below what mere
-    /// compression leads to.
+    /// Large enough that a moderate weight keeps det R_j positive, but less than the values that
+    /// compression alone leads to.
     double least = 0.1;
 
     template <class Self, class Visit>

@@ -5,7 +5,7 @@
 namespace deformlab {
 
 /// E_rot, Sumner et al. 2007, Eq. 5 and 6, one node: R_j is a rotation if its columns are
-/// orthonormal. They are orthonormal in a reflection too, which this term therefore cannot see.
+/// orthonormal. The columns of a reflection are orthonormal too, so this term does not prevent it.
 template <class Node = AffineNode<3>>
 struct Rotation {
   static constexpr std::string_view kName = "rotation";

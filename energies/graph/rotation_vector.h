@@ -11,7 +11,7 @@ namespace deformlab {
 /// series have the right derivatives too.
 template <class T>
 struct Rodrigues {
-  static constexpr double kSmall = 1e-4;  // the next terms of the series would be below rounding
+  static constexpr double kSmall = 1e-4;  // further terms of the series are below rounding errors
   T a, b;
 
   explicit Rodrigues(const T& square)
@@ -25,7 +25,7 @@ struct Rodrigues {
   }
 };
 
-/// exp(ω) v = v + a ω × v + b ω × (ω × v), Rodrigues' formula: v rotated about ω by its length.
+/// v rotated about ω by the angle ‖ω‖: exp(ω) v = v + a ω × v + b ω × (ω × v), Rodrigues' formula.
 template <class T>
 Vector<T, 3> rotated(const Vector<T, 3>& omega, const Eigen::Vector3d& v) {
   const Rodrigues<T> by(omega.squaredNorm());

@@ -4,10 +4,10 @@
 
 namespace deformlab {
 
-/// Neighbouring nodes are rotated alike: one column of R_j and R_k of an edge. Sumner et al. 2007
-/// compare where the transformations take the nodes instead (Eq. 7). That does not see a rotation
-/// about the edges themselves, so that a chain of nodes, such as the path of a particle, can twist
-/// at no cost. With this term it cannot.
+/// Neighbouring nodes should rotate alike: the difference between R_j and R_k of an edge, in one
+/// column. Sumner et al. 2007 compare the positions to which R_j and R_k take the nodes (Eq. 7).
+/// These do not change with a rotation about the edges. Without this term, a chain of nodes, such
+/// as the path of a particle, can therefore twist at no cost.
 template <class Node = AffineNode<3>>
 struct Smoothness {
   static constexpr std::string_view kName = "smoothness";

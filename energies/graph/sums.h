@@ -4,11 +4,10 @@
 #include "energies/graph/nodes.h"
 #include "energies/term.h"
 
-// The usual sums over a graph. `element` makes the data of one element; a term without data needs
-// none.
+// Sums over a graph. `element` makes the data of one element; a term without data needs none.
 namespace deformlab {
 
-/// Σ over all nodes; element(j) is that of node j.
+/// Σ over all nodes. element(j) makes the element of node j.
 template <class Term, class Make>
 Terms<Term> over_nodes(const GraphContext& context, Make element) {
   Terms<Term> sum;
@@ -20,7 +19,7 @@ Terms<Term> over_nodes(const GraphContext& context) {
   return over_nodes<Term>(context, [](int) { return Term{}; });
 }
 
-/// Σ over both directions of every edge, each weighted by α_jk; element(j, k) is that of j → k.
+/// Σ over both directions of every edge, each weighted by α_jk. element(j, k) makes that of j → k.
 template <class Term, class Make>
 Terms<Term> over_edges(const GraphContext& context, Make element) {
   Terms<Term> sum;
@@ -35,8 +34,8 @@ Terms<Term> over_edges(const GraphContext& context) {
   return over_edges<Term>(context, [](int, int) { return Term{}; });
 }
 
-/// Σ over all handles, each of which reads the k nodes that it follows, as one NodeList; element(l)
-/// is that of handle l.
+/// Σ over all handles. Each reads the k nodes that influence it as one NodeList. element(l) makes
+/// the element of handle l.
 template <class Term, class Make>
 Terms<Term> over_handles(const GraphContext& context, Make element) {
   const Embedding& handles = context.handles;

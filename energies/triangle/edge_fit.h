@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// Igarashi et al. 2005, Eq. 12–16, one edge of one triangle: the edge equals that of the
-/// triangle's fitted copy, whose position does not matter.
+/// Igarashi et al. 2005, Eq. 12–16, one edge of one triangle: the difference between the edge and
+/// that of the fitted triangle, whose position does not matter.
 struct EdgeFit {
   static constexpr std::string_view kName = "edge_fit";
   static constexpr Structure kStructure = Structure::kKronecker;

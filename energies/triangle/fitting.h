@@ -25,7 +25,7 @@ struct Fitting {
     return r;
   }
 
-  /// Eq. 10.
+  /// The third corner by Eq. 10.
   template <class T>
   Vector<T, 2> third(const Vector<T, 2>& v0, const Vector<T, 2>& v1) const {
     const Vector<T, 2> v01 = v1 - v0, R90_v01(-v01.y(), v01.x());

@@ -8,8 +8,9 @@
 
 namespace deformlab {
 
-/// A handle that is not necessarily a vertex (Igarashi et al. 2005, section 3, mention such handles
-/// without a formula): the point with barycentric coordinates b in a triangle is at its target q.
+/// A handle that need not be a vertex: the difference between the point with the barycentric
+/// coordinates b in a triangle and its target q. Igarashi et al. 2005, section 3, mention such
+/// handles without a formula.
 struct PointConstraint {
   static constexpr std::string_view kName = "point_constraint";
   static constexpr Structure kStructure = Structure::kKronecker;
