@@ -8,14 +8,14 @@
 namespace deformlab {
 namespace {
 
-constexpr double kTouching = 1e-6;  // steps that leaving the page takes
+constexpr double kTouching = 1e-6;  // a part that leaves the page by fewer steps counts as inside
 
-/// The mesh in pixels of a picture of the page.
+/// The mesh in the coordinates of a picture of the page [pixel].
 Triangulation in_pixels(const Triangulation& mesh, const Page& page, double resolution) {
   return {(mesh.V.colwise() - page.min()) * resolution, mesh.F};
 }
 
-/// Adds the columns of `moved` whose place at rest is on the page.
+/// Adds the columns of `moved` whose position at rest is on the page.
 void extend(const Eigen::Matrix2Xd& rest, const Eigen::Matrix2Xd& moved, const Page& page,
             Page& reach) {
   for (Eigen::Index i = 0; i < rest.cols(); ++i)
@@ -50,7 +50,7 @@ Page BoundDrawing::page_for(const Eigen::Matrix2Xd& V, double step) const {
   const Page& page = drawing_.page;
   Page reach;
   extend(rest_.V, V, page, reach);
-  double beyond = 1;  // half a stroke and a pixel: what is painted beside control points
+  double beyond = 1;  // strokes and pixels extend beyond control points by this number of steps
   const std::vector<VectorPath> moved = paths_(V);
   for (std::size_t i = 0; i < moved.size(); ++i) {
     beyond = std::max(beyond, 1 + moved[i].stroke_width / step / 2);

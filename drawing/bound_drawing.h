@@ -16,19 +16,19 @@ class BoundDrawing {
   const Drawing& drawing() const { return drawing_; }
   const Triangulation& rest() const { return rest_; }
 
-  /// What the page shows once the vertices are at V (2×#V), `resolution` pixels a unit of length.
-  /// Where triangles overlap, the one of greatest depth (#F) is in front. Without depths (size 0)
-  /// curves are painted in their own order, and of a bitmap later triangles over earlier ones. The
-  /// same input gives the same bytes. Throws InputError where a coordinate is not finite, and for a
-  /// size that a Bitmap cannot have.
+  /// The picture of the page with the vertices at V (2×#V), at a resolution [pixel/length]. Where
+  /// triangles overlap, the one with the greatest depth (#F) is in front. Without depths (size 0),
+  /// curves and the triangles of a bitmap are painted in their own order. The same input gives the
+  /// same bytes. Throws InputError if a coordinate is not finite, and for a size that a Bitmap
+  /// cannot have.
   Bitmap picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth, const Page& page,
                  double resolution) const;
 
-  /// The curves once the vertices are at V; none of a bitmap.
+  /// The curves with the vertices at V. A bitmap has none.
   std::vector<VectorPath> paths(const Eigen::Matrix2Xd& V) const { return paths_(V); }
 
-  /// The drawing's page and, where what is on it at rest leaves it, as much more on that side, in
-  /// whole steps of `step` [length]. Throws InputError where a coordinate is not finite.
+  /// The page of the drawing, enlarged by whole steps of `step` [length] so that it contains what
+  /// is on it at rest. Throws InputError if a coordinate is not finite.
   Page page_for(const Eigen::Matrix2Xd& V, double step) const;
 
  private:

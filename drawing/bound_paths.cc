@@ -62,7 +62,7 @@ std::vector<VectorPath> BoundPaths::operator()(const Eigen::Matrix2Xd& V) const 
 }
 
 Eigen::Affine2d fitted_map(const Eigen::Matrix2Xd& from, const Eigen::Matrix2Xd& to) {
-  constexpr double kFlat = 1e-6;  // of the spread's eigenvalues
+  constexpr double kFlat = 1e-6;  // points lie on a line if the ratio of eigenvalues is smaller
   const Eigen::Vector2d c = from.rowwise().mean(), d = to.rowwise().mean();
   const Eigen::Matrix2Xd p = from.colwise() - c, q = to.colwise() - d;
   const Eigen::Matrix2d spread = p * p.transpose(), cross = q * p.transpose();

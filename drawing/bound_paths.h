@@ -7,9 +7,10 @@
 
 namespace deformlab {
 
-/// Paths whose control points follow a triangulation (Igarashi et al. 2005, section 3): curves stay
-/// curves. A gradient's points do the same where they lie inside the mesh; else they move by the
-/// affine map that fits the path's own points best. Widths of strokes and dashes stay.
+/// Paths whose control points follow a triangulation (Igarashi et al. 2005, section 3), so that
+/// curves stay curves. The points of a gradient do the same if all lie inside the mesh. Otherwise
+/// they move by the affine map that fits the path's own points best. Strokes and dashes keep their
+/// widths and lengths.
 class BoundPaths {
  public:
   BoundPaths(std::vector<VectorPath> paths, const Triangulation& rest, const Locator& locator);
@@ -22,8 +23,8 @@ class BoundPaths {
   Binding points_;  ///< path by path: outlines, clips, fill, stroke
 };
 
-/// The affine map that takes columns of `from` to those of `to` with the least squares; a
-/// similarity where `from` lies on a line, a translation where it is a point.
+/// The affine map that fits the columns of `from` to those of `to` by least squares. It is a
+/// similarity if `from` lies on a line, and a translation if it is a single point.
 Eigen::Affine2d fitted_map(const Eigen::Matrix2Xd& from, const Eigen::Matrix2Xd& to);
 
 }  // namespace deformlab

@@ -15,9 +15,9 @@ namespace deformlab {
 namespace {
 
 constexpr double kEdgeWidth = 0.8;                     // [pixel]
-constexpr double kHandleRadius = 0.014, kSpoke = 2.6;  // part of the width; radii
-constexpr double kTint = 0.55;                         // opacity of the strongest
-constexpr double kMargin = 0.04;                       // part of the frame's diagonal
+constexpr double kHandleRadius = 0.014, kSpoke = 2.6;  // part of the width; length in radii
+constexpr double kTint = 0.55;                         // opacity of the strongest tint
+constexpr double kMargin = 0.04;                       // as a part of the frame's diagonal
 
 void check(const BoundDrawing& drawing, const DrawingPanel& panel) {
   const auto require = [](bool good, const std::string& what) {
@@ -65,7 +65,7 @@ class Pencil {
     stroke(width);
   }
 
-  /// A filled dot with a dark rim; `radius` in pixels.
+  /// Draws a filled dot with a dark rim. `radius` is in pixels.
   void dot(const Eigen::Vector2d& center, double radius, const Color& c) {
     const Eigen::Vector2d p = pixel(center);
     cairo_new_path(cairo_);
@@ -93,7 +93,7 @@ class Pencil {
   double scale_;
 };
 
-/// Corners of all triangles, three columns each.
+/// The corners of all triangles, three columns for each.
 Eigen::Matrix2Xd corners_of(const BoundDrawing& drawing, const DrawingPanel& panel) {
   if (panel.loose.cols() > 0) return panel.loose;
   const Eigen::Matrix3Xi& F = drawing.rest().F;
@@ -102,7 +102,7 @@ Eigen::Matrix2Xd corners_of(const BoundDrawing& drawing, const DrawingPanel& pan
   return all;
 }
 
-/// From the farthest to the nearest, earlier ones first where depths are equal.
+/// The triangles from the farthest to the nearest. Those of equal depth keep their order.
 std::vector<Eigen::Index> back_to_front(const Eigen::VectorXd& depth, Eigen::Index count) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), Eigen::Index{0});

@@ -18,24 +18,23 @@ namespace deformlab {
 /// The rectangle that a drawing's file or a picture shows [length].
 using Page = Eigen::AlignedBox2d;
 
-/// A drawing at rest. Coordinates are those of its file: pixels, x to the right, y down, the first
-/// pixel covering [0, 1] × [0, 1]; in polygons and meshes whatever they are there, shown with y
-/// down.
+/// A drawing at rest. Its coordinates are those of its file, with x to the right and y down. The
+/// unit of a bitmap or vector drawing is a pixel, and the first pixel covers [0, 1] × [0, 1].
 struct Drawing {
-  std::filesystem::path file;  ///< that it was read from
+  std::filesystem::path file;  ///< the file that it was read from
   Page page;
-  std::optional<Bitmap> bitmap;       ///< one pixel a unit, from the page's least corner on
+  std::optional<Bitmap> bitmap;       ///< the pixels of the page, if the file is a bitmap
   std::vector<VectorPath> paths;      ///< in the order in which they are painted
-  Region region;                      ///< what the drawing covers; empty where `mesh` is given
-  std::optional<Triangulation> mesh;  ///< where the file is a mesh
-  std::vector<std::string> notes;     ///< what was decided on the way: background, parts left out
+  Region region;                      ///< what the drawing covers; empty if there is a mesh
+  std::optional<Triangulation> mesh;  ///< the mesh, if the file is one
+  std::vector<std::string> notes;     ///< what the user should know, such as parts left out
 };
 
 /// How drawings are read.
 struct DrawingOptions {
-  TraceOptions trace;       ///< areas in pixels of the drawing
+  TraceOptions trace;       ///< areas are in pixels of the drawing
   double background = 0.1;  ///< tolerance for the colour of a plain background, 0 … 1
-  int outline = 1200;       ///< pixels along the page's longer side when curves are traced
+  int outline = 1200;       ///< along the page's longer side, when curves are traced [pixel]
   double piece = 0.02;      ///< longest piece of a curve, as a part of the page's diagonal
 
   template <class Self, class Visit>
@@ -51,14 +50,15 @@ struct DrawingOptions {
   }
 };
 
-/// Reads a drawing; the extension tells how, in any case:
-///   .png  Its alpha channel, where a pixel is at least half transparent; else its background has
-///         to be plain (`remove_background`). The largest part is kept, the rest made transparent.
-///   .svg  All that is painted, as cubic curves (`read_svg`); paths wholly outside of the largest
+/// Reads a drawing. Its extension, in upper or lower case, says what it is:
+///   .png  A bitmap. Its alpha channel shows the drawing if a pixel is at least half transparent.
+///         Otherwise its background has to be plain (`remove_background`). Only the largest part is
+///         kept; others become transparent.
+///   .svg  A vector drawing, which becomes cubic curves (`read_svg`). Paths outside of the largest
 ///         part are left out. Curves are cut into pieces, so that long ones can bend.
-///   .txt  A closed polygon, a corner `x y` a line; # begins a comment.
-///   .obj .off .ply .stl  A flat mesh, which then is the rest shape.
-/// Throws InputError where the file cannot be read whole or shows nothing.
+///   .txt  A closed polygon with a corner `x y` on each line. # begins a comment.
+///   .obj .off .ply .stl  A flat mesh, which becomes the rest shape.
+/// Throws InputError if the file cannot be read completely or shows nothing.
 Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& options);
 
 }  // namespace deformlab

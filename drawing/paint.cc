@@ -18,13 +18,13 @@ using Pattern = std::unique_ptr<cairo_pattern_t, decltype(&cairo_pattern_destroy
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-/// The colour where there is but one, or where the gradient's frame has collapsed.
+/// The pattern of a single colour, also for a gradient whose frame has collapsed.
 Pattern solid(const Paint& paint) {
   const auto& [r, g, b, a] = paint.stops.back().color;
   return {cairo_pattern_create_rgba(r, g, b, a), cairo_pattern_destroy};
 }
 
-/// A gradient in its own frame, which the pattern's matrix takes the path's coordinates to.
+/// A gradient in its own frame. The pattern's matrix maps the path's coordinates to this frame.
 Pattern pattern_of(const Paint& paint) {
   if (paint.kind == Paint::Kind::kColor) return solid(paint);
   const std::optional<GradientFrame> frame = frame_of(paint);
@@ -75,7 +75,7 @@ void set_line(cairo_t* cairo, const VectorPath& path) {
   cairo_set_dash(cairo, path.dashes.data(), static_cast<int>(path.dashes.size()), path.dash_offset);
 }
 
-/// Straight colours of what Cairo keeps premultiplied.
+/// Converts Cairo's premultiplied colours to straight ones.
 Bitmap to_bitmap(cairo_surface_t* surface, Bitmap bitmap) {
   cairo_surface_flush(surface);
   const unsigned char* data = cairo_image_surface_get_data(surface);

@@ -11,15 +11,15 @@ using cairo_t = struct _cairo;
 
 namespace deformlab {
 
-/// Paints a path in the coordinates that Cairo's transformation gives.
+/// Paints a path with Cairo's current transformation.
 void paint(cairo_t* cairo, const VectorPath& path);
 
-/// What `draw` paints on a transparent ground, Cairo's unit being a pixel. Throws InputError for a
+/// What `draw` paints on a transparent bitmap. Cairo's unit is a pixel. Throws InputError for a
 /// size that a Bitmap cannot have.
 Bitmap painted(int width, int height, const std::function<void(cairo_t*)>& draw);
 
-/// The paths on a transparent page, `resolution` pixels a unit of length; the page's least corner
-/// is that of pixel (0, 0). Throws InputError for a size that a Bitmap cannot have.
+/// The paths on a transparent page. page.min() is the corner of pixel (0, 0), and `resolution` is
+/// in [pixel/length]. Throws InputError for a size that a Bitmap cannot have.
 Bitmap rasterized(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page,
                   double resolution);
 

@@ -52,7 +52,7 @@ void cut_pieces(std::vector<Curve>& curves, double longest) {
   for (Curve& curve : curves) curve = cut(curve, longest);
 }
 
-/// Which pixels belong to a region, whose coordinates times `resolution` are pixels.
+/// The pixels of a region [pixel].
 class RegionMask {
  public:
   RegionMask(const Region& region, const Bitmap& size)
@@ -61,7 +61,7 @@ class RegionMask {
                           [&](int x, int y) { inside_[index(x, y)] = true; });
   }
 
-  /// Whether the pixel there, or one beside it, belongs to the region.
+  /// Whether the pixel at the point, or one beside it, belongs to the region.
   bool near(const Eigen::Vector2d& point) const {
     const int height = static_cast<int>(inside_.size()) / width_;
     const Eigen::Vector2d pixel = point.array().floor();
@@ -96,7 +96,7 @@ void keep_paths(const RegionMask& mask, double resolution, Drawing& drawing) {
         fmt::format("left out {} paths that are not on it", before - drawing.paths.size()));
 }
 
-/// Traces the outline of what the paths paint, in pixels of the size that the options ask for.
+/// Traces the outline of what the paths paint, at the resolution that the options ask for.
 void trace_paths(const fs::path& path, const DrawingOptions& options, Drawing& drawing) {
   const double resolution = options.outline / drawing.page.sizes().maxCoeff();
   TraceOptions in_pixels = options.trace;
@@ -125,7 +125,7 @@ Drawing read_vector(const fs::path& path, const DrawingOptions& options) {
   return drawing;
 }
 
-/// A page around points from a file that states none.
+/// A page around points, for a file that does not define one.
 Page page_around(const Eigen::Matrix2Xd& points) {
   Page page(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * page.diagonal().norm());

@@ -30,8 +30,8 @@ double resolution_for(const Drawing& drawing, double asked) {
                                                                                  : kAcross / longer;
 }
 
-/// The faces, with the positions at rest in the page as texture coordinates, which OBJ measures
-/// from the lower left corner.
+/// The mesh with its positions at rest as texture coordinates, which OBJ measures from the lower
+/// left corner of the page.
 std::string to_obj(const BoundDrawing& drawing, const Eigen::Matrix2Xd& V) {
   const Page& page = drawing.drawing().page;
   const Eigen::Matrix2Xd places =

@@ -10,12 +10,13 @@ namespace deformlab {
 
 /// How a deformed drawing is written.
 struct DrawingOutputOptions {
-  /// Pixels of a PNG a unit of length. 0: 1, so those of the drawing; pages of polygons and meshes,
-  /// and vector drawings of under 200 or over 4,000 pixels, get 1,000 along the longer side.
+  /// Resolution of a PNG [pixel/length]. 0 keeps the pixels of the drawing. Polygons, meshes, and
+  /// vector drawings of less than 200 or more than 4,000 pixels get 1,000 along the longer side.
   double resolution = 0;
-  bool grow = true;  ///< the page grows to hold the shape; else it stays, and what leaves it is cut
-  /// Of a rigid shape, OUT.intermediate.obj and OUT.fitted.obj beside OUT: step one's mesh, and the
-  /// triangles fitted to it, each for itself (Igarashi et al. 2005, Figure 3).
+  bool grow = true;  ///< whether the page grows to show the whole shape instead of cutting it off
+  /// Whether the results of arap_2d's steps are written beside OUT: the mesh of step one as
+  /// OUT.intermediate.obj, and the triangles that are fitted to it, each by itself, as
+  /// OUT.fitted.obj (Igarashi et al. 2005, Figure 3).
   bool steps = false;
 
   template <class Self, class Visit>
@@ -31,17 +32,18 @@ struct DrawingOutputOptions {
   }
 };
 
-/// Throws InputError where a drawing cannot be written as the extension of `out` says: as
-///   .png  any, textures mapped and curves painted;
-///   .svg  all but bitmaps: curves stay curves, each painted after those before it, at any depth;
-///   .obj .off .ply .stl  the mesh, z = 0 and y down; OBJ with places in the page as texture
-///         coordinates. Of a drawing that is a mesh of this format all else stays as in its file.
+/// Throws InputError if a drawing cannot be written with the extension of `out`:
+///   .png  Any drawing can be written.
+///   .svg  All drawings but bitmaps. Curves stay curves and keep their order at any depth.
+///   .obj .off .ply .stl  The mesh of any drawing, with z = 0 and y down. In OBJ, texture
+///         coordinates are the positions at rest in the page. A drawing that was read from a mesh
+///         of the same format keeps all else of its file.
 void check_output(const std::filesystem::path& out, const Drawing& drawing);
 
-/// Writes the drawing with the vertices at V (2×#V), of depth #F or size 0 (see
-/// BoundDrawing::picture), whole or not at all. Returns words for the user: how the page grew.
-/// Throws InputError as check_output does, where a coordinate is not finite, the page is too large
-/// (handles far away), an option is out of range, or the file cannot be written.
+/// Writes the drawing with the vertices at V (2×#V). `depth` is that of BoundDrawing::picture. The
+/// file is complete, or there is none. Returns notes for the user about how the page grew. Throws
+/// InputError as check_output does, and if a coordinate is not finite, the page is too large, an
+/// option is out of range, or the file cannot be written.
 std::vector<std::string> write_drawing(const std::filesystem::path& out,
                                        const BoundDrawing& drawing, const Eigen::Matrix2Xd& V,
                                        const Eigen::VectorXd& depth,

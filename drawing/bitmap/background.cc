@@ -80,8 +80,8 @@ void neighbours(const Bitmap& bitmap, int x, int y, Visit&& visit) {
 }
 
 /// Assumes that the pixel at (x, y) is a·drawing + (1 − a)·background, where the drawing has the
-/// colour of the neighbour that differs most from the background. Writes a as the alpha, and the
-/// drawing's part of the colour.
+/// colour of the neighbour that differs most from the background. Writes the drawing's colour, with
+/// a as its alpha.
 void unmix(const Bitmap& from, Bitmap& to, int x, int y, const Rgb& background) {
   const std::uint8_t* pixel = from.pixel(x, y);
   const std::uint8_t* purest = pixel;

@@ -7,17 +7,17 @@
 
 namespace deformlab {
 
-/// Whether the alpha channel tells what the drawing is: a pixel is at least half transparent.
+/// Whether some pixel is at least half transparent, so that the alpha channel shows the drawing.
 bool has_transparency(const Bitmap& bitmap);
 
 /// Makes the plain background of a bitmap transparent. Its colour is the median of the border's
-/// pixels, per channel; it is plain where at least half of them differ from it by no more than the
-/// tolerance (0 … 1, greatest difference of a channel). Background is what such pixels connect to
-/// the border, so what the drawing encloses stays. The pixels along it are mixtures of it and of
-/// the drawing: their alpha is the share of the drawing, estimated with the neighbour that is least
-/// like the background.
+/// pixels, channel by channel. The background is plain if at least half of these pixels differ from
+/// its colour by no more than the tolerance (0 … 1) in each channel. Only such pixels that are
+/// connected to the border are background, so areas inside the drawing stay. The pixels beside the
+/// background mix its colour with the drawing's. Their alpha becomes the share of the drawing,
+/// estimated from the neighbour that differs most from the background.
 ///
-/// Returns a word for the user. Throws InputError where no background is plain.
+/// Returns a note for the user. Throws InputError if the background is not plain.
 std::string remove_background(Bitmap& bitmap, double tolerance, const std::filesystem::path& name);
 
 }  // namespace deformlab

@@ -61,7 +61,7 @@ Bitmap read_png(const std::filesystem::path& path) {
   const std::string problem = size_problem(image.width, image.height);
   if (!problem.empty()) cannot_read(path, "it has " + problem + "; scale it down");
   image.format = PNG_FORMAT_RGBA;
-  image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // what programs mean that name no colour space
+  image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // the meaning of a file without a colour space
   Bitmap bitmap(static_cast<int>(image.width), static_cast<int>(image.height));
   if (!png_image_finish_read(&image, nullptr, bitmap.rgba.data(), 0, nullptr))
     cannot_read(path, cause(image));

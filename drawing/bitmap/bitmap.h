@@ -7,18 +7,18 @@
 
 namespace deformlab {
 
-/// Pixels with straight (not premultiplied) sRGB colour and alpha, rows from the top down;
-/// transparent when made.
+/// Pixels with straight (not premultiplied) sRGB colour and alpha, in rows from the top down. A new
+/// bitmap is transparent.
 struct Bitmap {
   Bitmap() = default;
-  /// Throws InputError where a side is outside 1..kLargestSide or there are over kMostPixels.
+  /// Throws InputError if a side is outside 1..kLargestSide or there are more than kMostPixels.
   Bitmap(int width, int height);
 
   std::uint8_t* pixel(int x, int y) { return rgba.data() + offset(x, y); }
   const std::uint8_t* pixel(int x, int y) const { return rgba.data() + offset(x, y); }
 
   int width = 0, height = 0;       ///< [pixel]
-  std::vector<std::uint8_t> rgba;  ///< four bytes a pixel
+  std::vector<std::uint8_t> rgba;  ///< four bytes for each pixel
 
   static constexpr int kLargestSide = 32767;       ///< [pixel]
   static constexpr int kMostPixels = 100'000'000;  ///< 400 MB
@@ -30,18 +30,17 @@ struct Bitmap {
   }
 };
 
-/// What makes a picture of that size impossible, or nothing: `100000×1 pixels: each side …`.
+/// Why a bitmap cannot have this size, such as `100000×1 pixels: each side …`; empty if it can.
 std::string size_problem(double width, double height);
 
-/// H×W opacity, 0 … 1.
+/// The opacity of each pixel, height × width, 0 … 1.
 Eigen::ArrayXXf alpha_of(const Bitmap& bitmap);
 
-/// A PNG of any colour type, depth and interlacing; 16 bits are rounded to 8. Throws InputError
-/// where it cannot be read whole, or is larger than a Bitmap may be.
+/// Reads a PNG of any colour type, depth and interlacing. 16 bits are rounded to 8. Throws
+/// InputError if the file cannot be read completely, or is larger than a Bitmap may be.
 Bitmap read_png(const std::filesystem::path& path);
 
-/// Writes a PNG with alpha, whole or not at all. Throws InputError where the path cannot be
-/// written.
+/// Writes a complete PNG with alpha, or none. Throws InputError if the path cannot be written.
 void write_png(const Bitmap& bitmap, const std::filesystem::path& path);
 
 }  // namespace deformlab

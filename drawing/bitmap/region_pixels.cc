@@ -28,8 +28,8 @@ struct Pixel {
   int x, y;
 };
 
-/// Assigns the pixels in the region, and those outside that are opaque enough to belong to another
-/// part; collects both in `pixels`.
+/// Finds the owners of the pixels in the region, and of those outside that are opaque enough to
+/// belong to another part. Collects both in `pixels`.
 std::vector<Owner> decided(const Region& region, double threshold, const Bitmap& bitmap,
                            std::vector<Pixel>& pixels) {
   std::vector<Owner> owners(bitmap.rgba.size() / 4, Owner::kNobody);
@@ -72,7 +72,7 @@ void clear_outside(const Region& region, double threshold, Bitmap& bitmap) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(bitmap.width) +
            static_cast<std::size_t>(x);
   };
-  while (!front.empty()) {  // this reaches the faint pixels in the order of their distance
+  while (!front.empty()) {  // reaches fainter pixels in the order of their distance
     next.clear();
     for (const auto [x, y] : front)
       for (int v = std::max(0, y - 1); v <= std::min(bitmap.height - 1, y + 1); ++v)

@@ -13,8 +13,8 @@ void for_each_pixel_inside(const Region& region, int width, int height,
                            const std::function<void(int x, int y)>& visit);
 
 /// Makes all pixels transparent that do not belong to the region. A pixel outside the region whose
-/// opacity is at least `threshold` (0 … 1) belongs to another part. A fainter pixel belongs to what
-/// it is connected to; where this is both the region and another part, to the nearer of the two.
+/// opacity is at least `threshold` (0 … 1) belongs to another part. A fainter pixel belongs to the
+/// nearest part that it is connected to.
 void clear_outside(const Region& region, double threshold, Bitmap& bitmap);
 
 }  // namespace deformlab

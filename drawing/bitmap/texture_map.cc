@@ -12,16 +12,16 @@ namespace deformlab {
 namespace {
 
 constexpr int kBand = 32;               // rows drawn at once
-constexpr int kMostSamples = 8;         // along each side of a pixel, where the texture shrinks
-constexpr double kSameLayer = 2;        // [texel] two hits nearer than this are one layer
-constexpr double kOpaqueEnough = 1e-4;  // what is left to see through
+constexpr int kMostSamples = 8;         // along each side of a pixel, if the texture shrinks
+constexpr double kSameLayer = 2;        // two hits with a smaller distance are one layer [texel]
+constexpr double kOpaqueEnough = 1e-4;  // with less transparency, farther layers are not visible
 
 /// A triangle to be drawn.
 struct Piece {
-  Eigen::Matrix<double, 2, 3> at;    ///< in the output
-  Eigen::Matrix<double, 2, 3> from;  ///< in the texture
+  Eigen::Matrix<double, 2, 3> at;    ///< corners in the output
+  Eigen::Matrix<double, 2, 3> from;  ///< corners in the texture
   double depth;
-  bool is_square;  ///< one of the squares that the mesh does not cover
+  bool is_square;  ///< whether it is half of a square outside the mesh
 };
 
 /// A piece that covers a pixel.
@@ -31,7 +31,7 @@ struct Hit {
   Eigen::Vector2d source;  ///< the texture's coordinates at the pixel's centre
 };
 
-/// The derivative of the texture's coordinates by the output's.
+/// The derivative of the texture's coordinates with respect to those of the output.
 Eigen::Matrix2d change(const Piece& piece) {
   const Eigen::Vector3d at_zero = barycentric(piece.at, {0, 0});
   Eigen::Matrix2d J;
@@ -78,7 +78,7 @@ Eigen::Vector4d sample(const Bitmap& texture, const Piece& piece, const Eigen::V
   return sum / (n * n);
 }
 
-/// The hits of one pixel, from the front to the back, blended.
+/// Blends the hits of one pixel from the front to the back.
 Eigen::Vector4d blend(const Bitmap& texture, const std::vector<Piece>& pieces, const Hit* begin,
                       const Hit* end) {
   Eigen::Vector4d color = Eigen::Vector4d::Zero();
@@ -122,7 +122,7 @@ void draw_band(const Bitmap& texture, const std::vector<Piece>& pieces,
   }
 }
 
-/// For each band of rows the pieces that reach into it.
+/// For each band of rows, the pieces that overlap it.
 std::vector<std::vector<std::size_t>> by_band(const std::vector<Piece>& pieces, int height) {
   std::vector<std::vector<std::size_t>> bands(
       static_cast<std::size_t>((height + kBand - 1) / kBand));

@@ -8,33 +8,33 @@ namespace deformlab {
 
 /// Pixels that follow a triangulation by linear texture mapping (Igarashi et al. 2005, section 3).
 ///
-/// Each pixel of the output looks up the texture once at its centre, or several times where the
-/// texture shrinks there, bilinearly: at rest, and after a translation by whole pixels, the output
-/// is the texture, and the silhouette is as smooth as the texture's alpha. The mesh need not cover
-/// the drawing: the rest (the outer half of a smooth boundary, and more where the mesh is coarse)
-/// is cut into small squares whose corners follow the nearest triangle (`uncovered_squares`).
+/// The texture is interpolated bilinearly at the centre of each output pixel, or at several points
+/// if it shrinks there. At rest, and after a translation by whole pixels, the output is the
+/// texture. The silhouette is as smooth as the texture's alpha. The mesh need not cover the
+/// drawing. The parts outside (half of a smooth boundary, and more if the mesh is coarse) are cut
+/// into small squares whose corners follow the nearest triangle (`uncovered_squares`).
 ///
-/// Where the shape folds over itself, the layers are blended from the nearest to the farthest.
+/// Where the shape overlaps itself, the layers are blended from the nearest to the farthest.
 /// Coordinates are pixels of the texture.
 class TextureMap {
  public:
   TextureMap(Bitmap texture, Triangulation rest);
 
-  /// The texture deformed, vertices at V (2×#V), as far as `box` shows it. Where triangles overlap,
-  /// the one of greatest depth is in front; without depths (size 0, else #F) the later triangle.
-  /// The same input gives the same bytes, whatever the number of threads. Throws InputError where a
-  /// coordinate is not finite and for a size that a Bitmap cannot have.
+  /// The part of the deformed texture that `box` shows, with the vertices at V (2×#V). Where
+  /// triangles overlap, the one with the greatest depth (#F) is in front, or the last one without
+  /// depths (size 0). The same input gives the same bytes for any number of threads. Throws
+  /// InputError if a coordinate is not finite, and for a size that a Bitmap cannot have.
   Bitmap draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth, const PixelBox& box) const;
 
-  /// The corners of the squares outside the mesh (2×n, pixels), at rest and with the vertices at V.
+  /// The corners of the squares outside the mesh (2×n) [pixel], at rest and with the vertices at V.
   const Eigen::Matrix2Xd& square_corners_at_rest() const { return squares_.V; }
   Eigen::Matrix2Xd square_corners(const Eigen::Matrix2Xd& V) const { return square_corners_(V); }
 
  private:
   Bitmap texture_;
   Triangulation rest_;
-  Triangulation squares_;   ///< the squares outside the mesh, two triangles each
-  Binding square_corners_;  ///< of the corners of the squares
+  Triangulation squares_;   ///< the squares outside the mesh, as two triangles each
+  Binding square_corners_;  ///< the corners of the squares
 };
 
 }  // namespace deformlab

@@ -9,14 +9,14 @@
 
 namespace deformlab {
 
-/// Pixels from (left, top) on; pixel (x, y) covers the unit square there.
+/// The pixels whose first one is (left, top). Pixel (x, y) covers the unit square from (x, y) on.
 struct PixelBox {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Calls visit(x, y, b) for each pixel of the box whose centre lies in the triangle, with its
-/// barycentric coordinates. Centres on an edge belong to both triangles there; a triangle without
-/// area has none.
+/// Calls visit(x, y, b) for each pixel of the box whose centre lies in the triangle. b are the
+/// barycentric coordinates of the centre. Centres on an edge belong to both triangles. A triangle
+/// without area contains no centre.
 template <class Visit>
 void for_each_pixel(const Eigen::Matrix<double, 2, 3>& corners, const PixelBox& box,
                     Visit&& visit) {

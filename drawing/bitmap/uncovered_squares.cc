@@ -7,7 +7,7 @@
 namespace deformlab {
 namespace {
 
-/// For each pixel, in rows, whether the mesh covers its centre.
+/// Whether the mesh covers the centre of each pixel, in rows.
 std::vector<bool> covered_by(const Triangulation& mesh, int width, int height) {
   std::vector<bool> covered(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (Eigen::Index f = 0; f < mesh.F.cols(); ++f)
@@ -26,7 +26,6 @@ class UncoveredSquares {
       : texture_(texture), covered_(covered_by(mesh, texture.width, texture.height)) {}
 
   Triangulation squares() {
-    // Very large drawings get larger squares, so that there are not too many.
     step_ = 1 + std::max(texture_.width, texture_.height) / 2000;
     across_ = (texture_.width - 1) / step_ + 3;
     number_.assign(static_cast<std::size_t>(across_) *

@@ -12,7 +12,7 @@ double length_of_control_polygon(const Cubic& c) {
   return (c.rightCols<3>() - c.leftCols<3>()).colwise().norm().sum();
 }
 
-/// The part of a cubic from parameter s to t: blossoming gives its control points.
+/// The part of a cubic from parameter s to t. Blossoming gives its control points.
 Cubic part(const Cubic& c, double s, double t) {
   const auto blossom = [&](double u, double v, double w) -> Eigen::Vector2d {
     const auto between = [](const auto& p, const auto& q, double x) -> Eigen::Vector2d {
@@ -35,7 +35,7 @@ Curve polygon(const Eigen::Matrix2Xd& corners, bool closed) {
   for (Eigen::Index i = 0; i < sides; ++i) {
     const Eigen::Vector2d a = corners.col(i), b = corners.col((i + 1) % n);
     for (int k = 0; k < 4; ++k) curve.points.col(3 * i + k) = a + (b - a) * (k / 3.0);
-    curve.points.col(3 * i + 3) = b;  // to the last bit, so that the next side begins there
+    curve.points.col(3 * i + 3) = b;  // exactly where the next side begins
   }
   return curve;
 }

@@ -4,11 +4,11 @@
 
 namespace deformlab {
 
-/// The polygon through the corners (2×n), each side a straight cubic; closed: back to the first.
+/// The polygon through the corners (2×n). Each side is a straight cubic. A closed polygon returns
+/// to its first corner.
 Curve polygon(const Eigen::Matrix2Xd& corners, bool closed = true);
 
-/// The same curve, divided into pieces whose control polygons have at most the length `longest`
-/// [length].
+/// The same curve, cut into pieces whose control polygons are no longer than `longest` [length].
 Curve cut(const Curve& curve, double longest);
 
 /// A fill or stroke of one colour (straight sRGB and alpha, 0 … 1).

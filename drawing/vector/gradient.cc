@@ -14,7 +14,7 @@ std::optional<GradientFrame> frame_of(const Paint& paint) {
   if (!(std::abs(axes.determinant()) > kCollapsed * axes.squaredNorm())) return std::nullopt;
   if (paint.kind == Paint::Kind::kRadial) {
     frame.focus = axes.inverse() * (p.col(3) - p.col(0));
-    // SVG and Cairo differ where the focus is not inside.
+    // SVG and Cairo differ if the focus is not inside the circle.
     frame.focus *= std::min(1.0, kMostFocus / std::max(frame.focus.norm(), kMostFocus));
   }
   return frame;

@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Cairo keeps coordinates to 1/256 of a unit, and below 2²³ units.
+/// Cairo rounds coordinates to 1/256 of a unit, and limits them to 2²³ units.
 constexpr double kUnitsAcross = 1 << 21;
-constexpr double kMostAcross = 1e6;  // pixels
+constexpr double kMostAcross = 1e6;  // [pixel]
 
-/// It overrules the style sheets of the file. Because text is not shown, no font is searched for.
+/// This overrides the style sheets of the file. Because text is not shown, no fonts are searched.
 constexpr std::string_view kStyleSheet =
     "text, image, foreignObject { display: none !important }"
     "* { filter: none !important; mask: none !important }";
@@ -32,7 +32,7 @@ struct Unref {
   void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
 };
 
-/// Calls function(&error); where it fails, throws InputError with its message.
+/// Calls function(&error). If it fails, throws InputError with its message.
 template <class Function>
 auto checked_call(const fs::path& name, const Function& function) {
   GError* raw = nullptr;
@@ -62,8 +62,8 @@ std::unique_ptr<RsvgHandle, Unref> open(const std::string& bytes, const fs::path
   return handle;
 }
 
-/// Sets the size of the page: the one that the file states, else that of its view box, else the
-/// extent of what it paints.
+/// Sets the size of the page. It is the size that the file gives, or else that of its view box, or
+/// else the extent of what the file paints.
 void set_size(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &svg.width, &svg.height) == 0) {
     gboolean has_box = 0;

@@ -13,12 +13,12 @@ namespace deformlab {
 struct NormalizedSvg {
   std::string text;
   double width = 0, height = 0;    ///< of the page [pixel]
-  double scale = 1;                ///< units in `text` a pixel
-  std::vector<std::string> notes;  ///< what the file has and the text has not
+  double scale = 1;                ///< units of `text` per pixel
+  std::vector<std::string> notes;  ///< what the text leaves out
 };
 
-/// Nothing but `bytes` is read: references to other files, entities among them, are not followed.
-/// Text, images, filters and masks are left out. Throws InputError where the XML cannot be read, or
+/// Only `bytes` are read: references to other files, also those of entities, are not followed.
+/// Text, images, filters and masks are left out. Throws InputError if the XML cannot be read, or if
 /// the page has no extent or more than a million pixels along a side.
 NormalizedSvg normalized_svg(const std::string& bytes, const std::filesystem::path& name);
 

@@ -32,14 +32,14 @@ std::string_view word(const Style& style, std::string_view key) {
   return found == style.end() ? "none" : found->second;
 }
 
-/// `url(#name)`, or nothing.
+/// The name in `url(#name)`, or an empty text.
 std::string target(std::string_view text) {
   const std::size_t begin = text.find("(#"), end = text.find(')');
   if (!text.starts_with("url") || begin == text.npos || end == text.npos) return "";
   return std::string(text.substr(begin + 2, end - begin - 2));
 }
 
-/// `rgb(100%,0%,50%)`
+/// Reads `rgb(100%,0%,50%)`.
 std::array<double, 4> color(std::string_view text, double alpha) {
   std::vector<double> v = numbers(text);
   v.resize(3);
@@ -53,7 +53,7 @@ Box extent(const std::vector<Curve>& curves) {
   return box;
 }
 
-/// Whether outlines are a rectangle along the axes, and so fill their box.
+/// Whether the outlines are a single rectangle along the axes.
 bool is_box(const Outlines& outlines) {
   if (outlines.curves.size() != 1 || outlines.curves[0].points.cols() != 13) return false;
   const Eigen::Matrix2Xd& points = outlines.curves[0].points;
@@ -81,7 +81,7 @@ class Reader {
   }
 
  private:
-  /// What the groups around an element say.
+  /// What an element inherits from the groups around it.
   struct State {
     Eigen::Affine2d map = Eigen::Affine2d::Identity();  ///< to the page
     double alpha = 1;
@@ -93,7 +93,7 @@ class Reader {
     return found == by_id_.end() ? pugi::xml_node() : found->second;
   }
 
-  /// What `xlink:href="#name"` names.
+  /// The element that `xlink:href="#name"` refers to.
   pugi::xml_node referred(const pugi::xml_node& use) const {
     const std::string reference = use.attribute("xlink:href").value();
     return find(reference.substr(std::min<std::size_t>(1, reference.size())));
@@ -141,7 +141,7 @@ class Reader {
     if (!is_box(clip) || !extent(clip.curves).contains(page_)) state.clips.push_back(clip);
   }
 
-  /// Cairo writes the opacity of a group as a mask that holds a rectangle of this opacity.
+  /// Cairo writes the opacity of a group as a mask with a rectangle of this opacity.
   static double opacity_of(const pugi::xml_node& mask) {
     return number(style_of(mask.child("g").child("rect").attribute("style").value()),
                   "fill-opacity", 1);

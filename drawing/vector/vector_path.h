@@ -18,23 +18,23 @@ struct Paint {
   Kind kind = Kind::kNone;
   Spread spread = Spread::kPad;
   std::vector<Stop> stops;  ///< one for kColor
-  /// The frame of a gradient, so that any affine motion of it is one of these points. Linear: from,
-  /// to, and a second point of the line through `from` on which the colour stays. Radial: centre,
-  /// the ends of two conjugate radii, and the focus.
+  /// 2×3 or 2×4, the frame of a gradient. An affine motion of these points moves the gradient. A
+  /// linear gradient has its begin, its end, and another point that has the colour of the begin. A
+  /// radial one has its centre, the ends of two conjugate radii, and its focus.
   Eigen::Matrix2Xd points;
 };
 
-/// A run of cubic Bézier curves, straight lines among them too, so that a curve stays a curve when
-/// its control points move.
+/// Consecutive cubic Bézier curves. Straight lines are cubics too, so that they can bend when their
+/// control points move.
 struct Curve {
   Eigen::Matrix2Xd points;  ///< 2×(3n+1) control points
-  bool closed = false;      ///< the last point is the first; painted without caps
+  bool closed = false;      ///< whether the last point is the first, so that there are no caps
 };
 
-/// Outlines and which side of them is inside.
+/// Outlines, and the rule that says what is inside.
 struct Outlines {
   std::vector<Curve> curves;
-  bool even_odd = false;  ///< else non-zero winding
+  bool even_odd = false;  ///< false: the non-zero winding rule
 };
 
 /// One painted object of a vector drawing, in the drawing's coordinates.
@@ -45,9 +45,9 @@ struct VectorPath {
   enum class Cap { kButt, kRound, kSquare } cap = Cap::kButt;
   enum class Join { kMiter, kRound, kBevel } join = Join::kMiter;
   double miter_limit = 4;
-  std::vector<double> dashes;   ///< lengths of dashes and gaps in turn [length]
+  std::vector<double> dashes;   ///< alternating lengths of dashes and gaps [length]
   double dash_offset = 0;       ///< [length]
-  std::vector<Outlines> clips;  ///< painted only where it is inside of all of these
+  std::vector<Outlines> clips;  ///< only what is inside all of these is painted
 };
 
 }  // namespace deformlab

@@ -11,10 +11,10 @@
 namespace deformlab {
 namespace {
 
-/// With four digits behind the point at most, whatever the locale.
+/// Writes at most four digits after the point, in any locale.
 std::string number(double value) {
   char text[64];
-  const double rounded = std::round(value * 1e4) / 1e4 + 0.0;  // + 0 makes −0 a 0
+  const double rounded = std::round(value * 1e4) / 1e4 + 0.0;  // + 0 turns −0 into 0
   const auto end = std::to_chars(text, text + sizeof text, rounded).ptr;
   return {text, end};
 }

@@ -8,8 +8,9 @@
 
 namespace deformlab {
 
-/// Writes paths as an SVG whose page is the given box of their coordinates: curves as cubics,
-/// gradients by their frames. Whole or not at all. Throws InputError where it cannot be written.
+/// Writes paths as an SVG whose page is the given box of their coordinates. Curves are written as
+/// cubics, and gradients with their frames. The file is complete, or there is none. Throws
+/// InputError if it cannot be written.
 void write_svg(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page,
                const std::filesystem::path& path);
 
