@@ -12,7 +12,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kNearest = 0.2;  // depth of the nearest point, framed coordinates
+constexpr double kNearest = 0.2;  // least depth of a point [framed coordinates]
 
 void set_directions(const Camera& camera, View& view) {
   if (!(camera.direction.norm() > 0) || !camera.direction.allFinite())
@@ -48,8 +48,8 @@ void set_origin(const Eigen::Matrix3Xd& points, View& view) {
   if (!std::isfinite(view.size)) throw InputError("cannot draw points: they lie too far apart");
 }
 
-/// How far the eye must step back and aside along one axis of the picture so that every point lies
-/// between the two planes of slope `tangent` on either side of the axis: both have closed forms.
+/// How far the eye must move back, and aside along one axis of the picture, so that all points lie
+/// between the two planes through the eye that have the slope `tangent`.
 struct Fit {
   double distance, aside;
 };

@@ -18,7 +18,7 @@ namespace deformlab {
 namespace {
 
 constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr int kLargestSide = 32767;  // what Cairo can hold
+constexpr int kLargestSide = 32767;  // the limit of Cairo [pixel]
 constexpr double kCaptionHeight = 0.075, kSmallestCaption = 24;
 constexpr double kFontSize = 0.58;  // as a part of the caption's height
 
@@ -78,7 +78,7 @@ cairo_font_face_t* font() {
   return face;
 }
 
-/// Chooses the font size so that the text fits into `width`; returns the extents of the text.
+/// Chooses the font size so that the text fits into `width`. Returns the extents of the text.
 cairo_text_extents_t fit_text(cairo_t* cairo, const std::string& text, double size, double width) {
   // Hinting depends on the machine's settings: without it the same text gives the same bytes.
   cairo_font_options_t* options = cairo_font_options_create();
@@ -155,7 +155,7 @@ Image grid(const std::vector<Image>& images, int columns) {
   const int count = static_cast<int>(images.size());
   columns = std::min(columns, count);
   int width = 0;
-  std::vector<int> top{0};  // of each row, and of one more
+  std::vector<int> top{0};  // of each row, and the bottom of the last one
   for (int i = 0; i < count; ++i) {
     const Image& image = images[static_cast<std::size_t>(i)];
     if (i % columns == 0) top.push_back(top.back());

@@ -27,25 +27,25 @@ struct Image {
   }
 };
 
-/// The image with the text centred in a white strip below it; an empty text gives the image itself.
-/// A text too wide for the image is set smaller. Throws InputError where the text is not UTF-8 or
-/// the font (DejaVu Sans) is not installed.
+/// The image with the text centred in a white strip below it. An empty text does not change the
+/// image. A text that is too wide gets a smaller font. Throws InputError if the text is not UTF-8,
+/// or if the font (DejaVu Sans) is not installed.
 Image with_caption(const Image& image, const std::string& text);
 
-/// The images row by row in `columns` columns, each centred in a cell as wide as the widest of all
-/// and as high as the highest of its row.
-/// Throws InputError where there are no images or `columns` is not positive.
+/// The images row by row in `columns` columns. Each is centred in a cell that is as wide as the
+/// widest of all images and as high as the highest of its row. Throws InputError if there are no
+/// images or `columns` is not positive.
 Image grid(const std::vector<Image>& images, int columns);
 
 /// The images in one row, each as in `grid`.
 Image side_by_side(const std::vector<Image>& images);
 
 /// The images without their white margins, except for a border of `border` pixels. All images are
-/// cut in the same way and must have one size, so that they stay comparable. White images are
-/// returned unchanged.
+/// cropped to the same rectangle, so that they can be compared. Images that are all white do not
+/// change. Throws InputError if the images differ in size.
 std::vector<Image> cropped_alike(const std::vector<Image>& images, int border);
 
-/// Writes a PNG whole or not at all. Throws InputError where the path cannot be written.
+/// Writes a complete PNG or none. Throws InputError if the path cannot be written.
 void write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace deformlab

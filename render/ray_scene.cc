@@ -9,8 +9,8 @@
 namespace deformlab {
 namespace {
 
-/// One column of `values` an element. Embree reads whole vectors past a buffer's end, so it owns
-/// (and pads) the memory.
+/// Copies `values`, a column for each element. Embree reads beyond the end of a buffer, so it
+/// allocates the memory itself, with padding.
 template <class Derived>
 void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
           const Eigen::PlainObjectBase<Derived>& values) {
@@ -38,7 +38,7 @@ void set_targets(Ray& ray, const Eigen::Vector3f& origin, const Eigen::Vector3f&
 }  // namespace
 
 struct RayScene::Embree {
-  // One thread, because the tree that several build, and so who wins a tie, depends on luck.
+  // With several threads, the tree varies from run to run, and so does the result of a tie.
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = device ? rtcNewScene(device) : nullptr;
 
@@ -47,7 +47,7 @@ struct RayScene::Embree {
     if (device) rtcReleaseDevice(device);
   }
 
-  /// An empty geometry only takes its number.
+  /// An empty geometry is not attached, but it takes a number too.
   void attach(RTCGeometry geometry, bool empty) {
     if (!empty) {
       rtcCommitGeometry(geometry);

@@ -9,14 +9,14 @@ namespace deformlab {
 /// The first intersection of a ray.
 struct Hit {
   float distance;          ///< in lengths of the ray's direction
-  Eigen::Vector3f normal;  ///< of the surface there, any length and orientation
-  int object;              ///< the number of the add_ call that added it, counted from 0
-  int element;             ///< the column of that call
+  Eigen::Vector3f normal;  ///< of the surface, with any length and orientation
+  int object;              ///< the number of the call of add_… that added it, counted from 0
+  int element;             ///< its column in that call
   float u, v;              ///< weights of a triangle's second and third corner
 };
 
-/// Triangles, balls and sticks that rays are shot at (Embree). Single precision: coordinates should
-/// be of the order of one. What has no extent (a zero-area triangle, a zero radius) is never hit.
+/// Finds where rays hit triangles, balls and sticks, with Embree. Coordinates should be of the
+/// order of 1, because they have single precision. Objects without area are never hit.
 class RayScene {
  public:
   RayScene();
@@ -25,11 +25,11 @@ class RayScene {
   RayScene& operator=(const RayScene&) = delete;
 
   void add_triangles(const Eigen::Matrix3Xf& V, const Eigen::Matrix3Xi& triangles);
-  /// 4×#balls: centre and radius.
+  /// `balls` is 4×n, with a centre and a radius in each column.
   void add_balls(const Eigen::Matrix4Xf& balls);
-  /// 4×2n: each two columns are the ends of a stick with round caps, point and radius.
+  /// `ends` is 4×2n: two columns are the ends (point and radius) of a stick with round caps.
   void add_sticks(const Eigen::Matrix4Xf& ends);
-  void commit();  ///< to be called once, after everything is added and before the first ray
+  void commit();  ///< has to be called once, after all objects are added and before the first ray
 
   std::optional<Hit> first_hit(const Eigen::Vector3f& origin,
                                const Eigen::Vector3f& direction) const;

@@ -15,10 +15,10 @@
 namespace deformlab {
 namespace {
 
-constexpr float kHiddenOpacity = 0.55F;  // of what lies just below the surface
-constexpr float kFadeDepth = 0.06F;      // where it is gone, framed coordinates
-constexpr double kAlike = 10;            // shapes of more different sizes are framed one by one
-constexpr float kForgivenDepth = 2.0F;   // in radii: what is so near the surface counts as on it
+constexpr float kHiddenOpacity = 0.55F;  // of balls and sticks just below the surface
+constexpr float kFadeDepth = 0.06F;      // where they become invisible [framed coordinates]
+constexpr double kAlike = 10;            // shapes with a greater ratio of sizes are framed singly
+constexpr float kForgivenDepth = 2.0F;   // what is less deep counts as on the surface [radii]
 
 /// Directions towards the lights in the axes of the camera, so that every view is lit.
 struct Lights {
@@ -33,7 +33,7 @@ struct Lights {
     return (d.x() * view.right + d.y() * view.up - d.z() * view.forward).normalized().cast<float>();
   }
 
-  /// A large light still reaches a little way around the edge where the cosine is zero.
+  /// A large light also reaches a little beyond the edge where the cosine is zero.
   static float soft(float cosine) {
     constexpr float kWrap = 0.15F;
     return std::max(0.0F, (cosine + kWrap) / (1 + kWrap));
@@ -97,7 +97,7 @@ void lay_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& ove
   overlay.scene.add_sticks(ends);
 }
 
-/// The scene of one picture: it computes the colour that a ray sees.
+/// The scene of one picture. It computes the colour that a ray meets.
 struct Scene {
   Scene(const Panel& panel, const View& v, const Eigen::Vector3d& light)
       : view(v), lights(v, light), surface(panel.shape, panel.vertex_colors, v) {
@@ -156,7 +156,7 @@ void render_row(const Scene& scene, int y, int samples, Image& image) {
   }
 }
 
-// Whether one scale and one camera suit all panels, which is not so in a sweep over shapes.
+// Whether one scale and one camera suit all panels. They do not in a sweep over shapes.
 bool are_alike(const std::vector<Panel>& panels) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Panel& panel : panels) {

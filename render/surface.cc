@@ -17,14 +17,14 @@
 namespace deformlab {
 namespace {
 
-constexpr int kDirections = 128;        // over the sphere, half of them above any one vertex
-constexpr float kReach = 0.30F;         // how far occluders count, framed coordinates
-constexpr float kClearance = 1e-3F;     // framed coordinates
-constexpr float kSmoothCosine = 0.62F;  // a corner turned further from its face is a crease
+constexpr int kDirections = 128;        // over the sphere; half of them are above a vertex
+constexpr float kReach = 0.30F;         // the largest distance of occluders [framed coordinates]
+constexpr float kClearance = 1e-3F;     // [framed coordinates]
+constexpr float kSmoothCosine = 0.62F;  // below it, a corner's normal differs too much: a crease
 constexpr double kSmallestDot = 7e-4, kLargestDot = 0.02, kDotPerSpacing = 1.3;
 
-/// Spread evenly over the sphere by the golden angle. Every vertex uses the same ones: occlusion
-/// then varies smoothly along the surface, without noise.
+/// Directions that the golden angle spreads evenly over the sphere. Every vertex uses the same
+/// ones, so that occlusion varies smoothly along the surface, without noise.
 Eigen::Matrix3Xf sphere_directions() {
   Eigen::Matrix3Xf D(3, kDirections);
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -35,7 +35,7 @@ Eigen::Matrix3Xf sphere_directions() {
   return D;
 }
 
-/// The median distance from a point to the nearest one at another position; 0 where there is none.
+/// The median distance from a point to the nearest one at another position; 0 if there is none.
 double typical_spacing(const Eigen::Matrix3Xd& P) {
   using Tree =
       nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Matrix3Xd, 3, nanoflann::metric_L2_Simple, false>;

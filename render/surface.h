@@ -14,12 +14,12 @@ namespace deformlab {
 struct SurfacePoint {
   Eigen::Vector3f normal;  ///< unit, on the side that the ray comes from
   Eigen::Vector3f color;   ///< linear, not sRGB
-  float openness;          ///< 1 less the ambient occlusion
+  float openness;          ///< 1 minus the ambient occlusion
 };
 
 /// A shape prepared for rays, in the framed coordinates of a view. Both sides of a face are
-/// visible, because soups and open sheets have no orientation. Where no triangle has an area, the
-/// vertices are drawn as balls.
+/// visible, because triangle soups and open sheets have no orientation. If no triangle has an area,
+/// the vertices are drawn as balls.
 class Surface {
  public:
   /// `shape` may be null; `colors` is 3×#V sRGB or 3×0.
@@ -37,13 +37,13 @@ class Surface {
 
   RayScene scene_;
   Eigen::Matrix3Xf V_, N_, colors_;
-  Eigen::Matrix3Xi triangles_;   // 3×0: the vertices are drawn as balls
-  Eigen::Matrix3Xf directions_;  // where occluders are looked for
-  bool has_normals_ = true;      // else dots are shaded as balls, and N_ points to the eye
-  float clearance_ = 0;          // distance above a vertex at which the search for occluders begins
+  Eigen::Matrix3Xi triangles_;   // 3×0 if the vertices are drawn as balls
+  Eigen::Matrix3Xf directions_;  // in which occluders are searched
+  bool has_normals_ = true;      // false: dots are shaded as balls, and N_ points to the eye
+  float clearance_ = 0;          // distance above a vertex where the search for occluders begins
 
-  // For the front and the back of every vertex; negative until it is needed. Threads that compute
-  // the same entry find the same number, so that it does not matter which of them writes last.
+  // The openness of the front and the back of every vertex, negative until it is needed. Threads
+  // that compute the same entry get the same value, so it does not matter which one writes last.
   mutable std::vector<std::atomic<float>> openness_;
 };
 
