@@ -31,14 +31,14 @@ AtomicFolder::AtomicFolder(fs::path target, IsOurs is_ours)
 AtomicFolder::~AtomicFolder() {
   std::error_code ignored;
   fs::remove_all(temporary_, ignored);
-  for (const fs::path& folder : made_) fs::remove(folder, ignored);  // those that stayed empty
+  for (const fs::path& folder : made_) fs::remove(folder, ignored);  // removes only empty ones
 }
 
 void AtomicFolder::commit() {
   try {
     const fs::path old = temporary_.string() + ".old";
     if (fs::exists(target_)) {
-      for (const auto& entry : fs::directory_iterator(target_)) {  // what others put there stays
+      for (const auto& entry : fs::directory_iterator(target_)) {  // keeps the files of others
         const fs::path name = entry.path().filename();
         if (fs::exists(temporary_ / name) || is_ours_(name)) continue;
         fs::copy(entry.path(), temporary_ / name, fs::copy_options::recursive);

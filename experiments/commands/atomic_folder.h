@@ -5,15 +5,15 @@
 
 namespace deformlab {
 
-/// A folder that appears whole or not at all. Files are written to a hidden folder beside it, and
-/// `commit` moves that folder to its place. An older folder of the same name is replaced only then;
-/// files in it that others have put there stay. Without a commit nothing stays.
+/// A folder that appears complete or not at all. Files are written to a hidden folder beside it,
+/// and `commit` moves that folder to its place. Only then does it replace an older folder of the
+/// same name, and it keeps the files that others have put there. Without `commit` nothing is left.
 class AtomicFolder {
  public:
-  /// Whether a file or folder in the older folder is one of ours, which the new one may lack.
+  /// Whether a file or folder in the older folder is ours, so that it need not be kept.
   using IsOurs = bool (*)(const std::filesystem::path& name);
 
-  /// Throws InputError where the folder cannot be made or written, before any work is done for it.
+  /// Throws InputError if the folder cannot be made or written.
   AtomicFolder(std::filesystem::path target, IsOurs is_ours);
   ~AtomicFolder();
   AtomicFolder(const AtomicFolder&) = delete;

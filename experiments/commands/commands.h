@@ -13,8 +13,8 @@ namespace deformlab {
 int run_command(const std::vector<std::string>& arguments, const std::filesystem::path& out);
 
 /// `deformlab deform FILE --edit EDIT.yaml --out OUT [key=value]…`: one run of a shape or a drawing
-/// that writes its result. `line` has what flags say. Returns 1 where the solver could not take a
-/// step, with nothing written.
+/// that writes its result. `line` has the values of flags. Returns 1 if the solver could not take a
+/// step; then nothing is written.
 int deform_command(const std::vector<std::string>& arguments, CommandLine line);
 
 /// `deformlab animate --frames PATTERN --edit EDIT.yaml --out PATTERN [key=value]…`, or with

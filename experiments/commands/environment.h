@@ -5,8 +5,8 @@
 
 namespace deformlab {
 
-/// What a figure depends on beside its config: versions of the program and its libraries, commit,
-/// compiler and flags, processor, BLAS, threads.
+/// What figures depend on besides the config: versions of the program and its libraries, commit,
+/// compiler and flags, processor, BLAS, and threads.
 std::map<std::string, std::string> environment();
 
 }  // namespace deformlab

@@ -25,7 +25,7 @@ std::string claim_line(const Json& claim) {
   return line + (known.empty() ? "" : ": " + known) + " |\n";
 }
 
-// The size of each run. A config sets these numbers, so they are shown and not claimed.
+// The sizes of the runs. A config sets these numbers, so that they need no claim.
 std::string sizes_line(const Json& runs) {
   std::string text;
   for (const char* name : {"vertices", "nodes", "handles"}) {

@@ -78,12 +78,12 @@ std::string row(const FieldHelp& field) {
   return fmt::format("| `{}` | {} | {} |\n", field.name, value, escaped(field.meaning));
 }
 
-// `graph` of graph.nodes, `claims` of claims[].name.
+// The first part of a key: `graph` of graph.nodes, `claims` of claims[].name.
 std::string_view root(const FieldHelp& field) {
   return std::string_view(field.name).substr(0, field.name.find_first_of(".["));
 }
 
-// Rows of plain keys first, then one table for each key that holds others.
+// A table of the keys without parts, and then one for each key that has parts.
 std::string tables(const std::vector<FieldHelp>& fields) {
   constexpr std::string_view kHead = "\n| key | default | meaning |\n|---|---|---|\n";
   std::string plain, nested, section;

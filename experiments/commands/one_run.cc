@@ -74,7 +74,7 @@ int run_and_write(const SubjectKind& kind, const CommandLine& line, const RunOpt
     std::fprintf(stderr, "deformlab: %s\n", failure.c_str());
     return 1;
   }
-  // Measuring and drawing may fail, so that they come before the first file is written.
+  // Measuring and drawing may fail, so they come before the first file is written.
   const bool measures = !line.metrics.empty(), draws = !line.picture.empty();
   const std::string metrics = measures ? to_json(subject->measure()) : "";
   const Image picture = draws ? picture_of(*subject, kind, options.picture, caption) : Image();

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFrames = "frames";
 
-// Columns of the table of a sweep, besides the keys that it sweeps over.
+// Columns of a sweep's table, in addition to the keys that it sweeps over.
 constexpr const char* kTableMetrics[] = {"iterations",          "converged", "cost",
                                          "handle_rms_relative", "min_det_R", "shear_mean",
                                          "stretch_max"};
@@ -42,7 +42,7 @@ Json solver_json(const Summary& s) {
           {"message", s.message}};
 }
 
-// The same beside metrics, where the method is called the solver.
+// The same for a document that has metrics too, in which the method is called the solver.
 Json flat_solver_json(const Summary& s) {
   Json document{{"solver", s.method}};
   document.update(solver_json(s));
@@ -61,7 +61,7 @@ void add_metrics(const Metrics& metrics, Json& document) {
   }
 }
 
-// seconds.compile as `compile`, seconds.solve.factor as `factor` in `solve_by_phase`.
+// seconds.compile becomes `compile`, and seconds.solve.factor becomes `factor` in `solve_by_phase`.
 Json nested_seconds(const Metrics& seconds) {
   Json document = Json::object();
   for (const auto& [full_name, value] : seconds) {

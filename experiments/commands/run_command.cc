@@ -51,7 +51,7 @@ bool run_config(const fs::path& config, const std::vector<Override>& overrides,
   return good;
 }
 
-// Each config has a folder of its name.
+// Throws InputError for two configs with the same name, because their folder has this name.
 void check_names(const std::vector<fs::path>& configs) {
   std::map<fs::path, fs::path> by_name;
   for (const fs::path& config : configs) {

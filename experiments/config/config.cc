@@ -13,7 +13,7 @@
 namespace deformlab {
 namespace {
 
-/// Whether the whole text is one number that T can hold.
+/// Whether the whole text is one number in the range of T.
 template <class T>
 bool parse_number(std::string_view text, T& value) {
   if (text.starts_with('+')) {
@@ -186,7 +186,7 @@ ConfigNode to_node(double value) {
 }
 
 ConfigNode to_node(const std::string& value) {
-  double number = 0;  // text that other YAML readers would take for a number or a truth value
+  double number = 0;  // quotes text that looks like a number or a truth value
   const bool ambiguous = parse_number(value, number) || value == "true" || value == "false";
   return scalar(value, ambiguous);
 }

@@ -21,8 +21,8 @@
 /// fields, a std::map of such structs by name, or a std::vector or std::optional of these.
 namespace deformlab {
 
-/// One line of help. Fields of nested structs have dotted names, those in lists `list[].name`,
-/// those in maps by name `map.NAME.name`.
+/// One line of help. Fields of nested structs have dotted names. Those in lists have names like
+/// `list[].name`, and those in maps have names like `map.NAME.name`.
 struct FieldHelp {
   std::string name;
   std::string value;    ///< the default as YAML, or "required"
@@ -41,9 +41,9 @@ void check_keys(const ConfigNode& map, const std::vector<std::string>& known,
 /// Help as text, one field a line, in columns.
 std::string to_text(const std::vector<FieldHelp>& fields);
 
-// Reading: each overload replaces `value` by what the node holds or throws InputError; `name` is
-// the dotted name for messages. A map of numbers is merged into the one that is there, so that
-// naming one weight keeps the defaults of the others.
+// Reading: each overload replaces `value` by the content of the node, or throws InputError. `name`
+// is the dotted name for messages. A map of numbers is merged into the old value, so that setting
+// one weight keeps the defaults of the others.
 void read_value(const ConfigNode& node, const std::string& name, bool& value);
 void read_value(const ConfigNode& node, const std::string& name, int& value);
 void read_value(const ConfigNode& node, const std::string& name, std::uint64_t& value);
@@ -54,8 +54,8 @@ void read_value(const ConfigNode& node, const std::string& name, Eigen::Vector3d
 void read_value(const ConfigNode& node, const std::string& name,
                 std::map<std::string, double>& value);
 void read_value(const ConfigNode& node, const std::string& name, ConfigNode& value);
-/// By the names of energy terms: a number is the weight, a map holds `weight` and the options that
-/// the term declares. Values are merged into those that are there.
+/// Reads settings by the names of energy terms. A number is the weight; a map has `weight` and the
+/// options that the term declares. They are merged into the old settings.
 void read_value(const ConfigNode& node, const std::string& name,
                 std::map<std::string, TermSettings>& value);
 
@@ -69,10 +69,10 @@ void read_value(const ConfigNode& node, const std::string& name, E& value) {
 }
 
 /// The error with the dotted path `prefix` before the field, and with the line of the field's value
-/// in `map`, which is where the options were read from.
+/// in `map`, from which the options were read.
 InputError located(const OptionError& error, const ConfigNode& map, const std::string& prefix = "");
 
-/// Calls action(). Where it throws an OptionError, the line of the config is added.
+/// Calls action(). If it throws an OptionError, adds the line of the config.
 template <class Action>
 decltype(auto) with_lines_of(const ConfigNode& root, Action&& action) {
   try {
@@ -82,7 +82,7 @@ decltype(auto) with_lines_of(const ConfigNode& root, Action&& action) {
   }
 }
 
-// Writing: the node that reads back as the same value.
+// Writing: each overload makes the node from which the same value is read.
 ConfigNode to_node(bool value);
 ConfigNode to_node(int value);
 ConfigNode to_node(std::uint64_t value);
@@ -110,7 +110,7 @@ ConfigNode to_node(const std::optional<T>& value);
 template <HasFields T>
 ConfigNode to_node(const std::map<std::string, T>& value);
 
-/// Lists what a struct describes.
+/// Lists the fields that a struct describes.
 class FieldDescriber : public FieldVisitor<FieldDescriber> {
  public:
   explicit FieldDescriber(std::string prefix = "") : prefix_(std::move(prefix)) {}
@@ -152,7 +152,7 @@ class FieldReader : public FieldVisitor<FieldReader> {
   }
 
  private:
-  const ConfigNode& get(const char* name) const;  ///< throws InputError where the key is missing
+  const ConfigNode& get(const char* name) const;  ///< throws InputError if the key is missing
 
   template <class T>
   void check(const Field& field, const T& value) const {
@@ -289,8 +289,8 @@ void FieldDescriber::field(const Field& field, const T& value) {
   }
 }
 
-/// Reads `root` into the defaults of T. Throws InputError (naming the line, or the override) at an
-/// unknown key, a missing one, or a value that is not of its field's type or out of its range.
+/// Reads `root` into the defaults of T. Throws InputError (naming the line, or the override) for an
+/// unknown key, a missing one, or a value of another type or out of range.
 template <HasFields T>
 T read_config(const ConfigNode& root) {
   T options{};

@@ -30,8 +30,8 @@ std::string place(const std::shared_ptr<const ConfigSource>& source, int line) {
                    "); is a bracket left open, or does an alias contain itself?");
 }
 
-/// Throws at the start of a second document. YAML::Load would drop it silently, and YAML::LoadAll
-/// never ends where stray text, such as a comma at the beginning, makes empty documents for ever.
+/// Throws at the start of a second document. YAML::Load would ignore it, and YAML::LoadAll never
+/// ends if stray text, such as a comma at the beginning, makes empty documents without end.
 class SecondDocument : public YAML::EventHandler {
  public:
   explicit SecondDocument(std::shared_ptr<const ConfigSource> source)
@@ -67,7 +67,7 @@ void check_single_document(const std::string& text, std::shared_ptr<const Config
   }
 }
 
-/// Copies yaml-cpp's tree into ours and refuses on the way what a config may not hold.
+/// Copies yaml-cpp's tree into ours, and throws for what a config may not contain.
 class Converter {
  public:
   explicit Converter(std::shared_ptr<const ConfigSource> source) : source_(std::move(source)) {}
@@ -139,7 +139,7 @@ class Converter {
   int count_ = 0;
 };
 
-/// Unlike read_file, this also reads a pipe, so that a shell can make the config of a run.
+/// Unlike read_file, this also reads a pipe, so that a shell can generate the config of a run.
 std::string read_text(const std::filesystem::path& path) {
   const std::string cannot = "cannot read " + quote(path.string()) + ": ";
   std::error_code ignored;
@@ -155,8 +155,8 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-/// Quotes where it must: the emitter by itself leaves tabs and returns bare, which do not read
-/// back.
+/// Quotes the text if necessary. The emitter does not quote tabs and carriage returns, which would
+/// then not be read again.
 void emit_text(YAML::Emitter& out, const std::string& text, bool quoted) {
   if (quoted || text.find_first_of("\t\r") != std::string::npos) out << YAML::DoubleQuoted;
   out << text;

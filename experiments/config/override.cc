@@ -54,7 +54,7 @@ ConfigNode& step(ConfigNode& node, const std::string& name,
   return child;
 }
 
-// A list of values, or names of maps.
+// Checks that the values are a list, or maps by their names.
 void check_values(const ConfigNode& values, const std::string& whose) {
   const bool named = values.kind == ConfigNode::Kind::kMap;
   if ((!named && values.kind != ConfigNode::Kind::kList) || values.children.empty()) {
@@ -113,7 +113,7 @@ void apply_override(ConfigNode& root, const Override& change) {
 
 namespace {
 
-// A map among a sweep's values sets its keys, and leaves alone those that it does not name.
+// A map among a sweep's values sets its keys, and does not change others.
 void append_settings(const std::string& key, const ConfigNode& value, std::vector<Override>& run) {
   if (value.kind != ConfigNode::Kind::kMap) {
     run.push_back({key, to_yaml_line(value), value.folder()});

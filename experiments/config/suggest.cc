@@ -34,7 +34,7 @@ std::optional<std::string> nearest_name(std::string_view given,
   std::optional<std::string> nearest;
   int best = 0;
   for (const std::string& name : known) {
-    // A third of the letters may differ; beyond that a guess misleads more than it helps.
+    // If more than a third of the letters differ, a suggestion misleads more than it helps.
     const int allowed = static_cast<int>(std::max(given.size(), name.size()) + 2) / 3;
     const int distance = edit_distance(given, name);
     if (distance > allowed || (nearest && distance >= best)) continue;
