@@ -8,8 +8,8 @@
 
 namespace deformlab {
 
-/// Which parts are in front where parts of a drawing overlap: those that are farther from the
-/// middle of the drawing, measured along it, or those that lie farther to one side at rest.
+/// The parts that are in front where a drawing overlaps itself: those that are farther from its
+/// middle, measured along the drawing, or those that are farther to one side at rest.
 enum class DepthFront { kEnds, kRight, kLeft, kBottom, kTop };
 constexpr auto names_of(DepthFront) {
   using enum DepthFront;
@@ -17,7 +17,7 @@ constexpr auto names_of(DepthFront) {
       {{kEnds, "ends"}, {kRight, "right"}, {kLeft, "left"}, {kBottom, "bottom"}, {kTop, "top"}});
 }
 
-/// Which of two parts of a drawing is in front where they overlap (Igarashi et al. 2005, section
+/// How the depths of a drawing are found where it overlaps itself (Igarashi et al. 2005, section
 /// 5.1).
 struct DepthOptions {
   DepthFront front = DepthFront::kEnds;  ///< the order of the drawing at rest
@@ -34,13 +34,13 @@ struct DepthOptions {
   }
 };
 
-/// The depths of a drawing through the updates of its mesh.
+/// The depths of a drawing, which follow the updates of its mesh.
 class DrawingDepth {
  public:
   DrawingDepth(const DepthOptions& options, const Triangulation& rest);
 
-  /// V is where the vertices are, 2×#V. Returns the depth of each triangle (#F); a higher one is
-  /// nearer.
+  /// Returns the depth of each triangle (#F) with the vertices at V (2×#V). A triangle of greater
+  /// depth is in front.
   const Eigen::VectorXd& update(const Eigen::Matrix2Xd& V);
 
   /// About the last update:

@@ -14,9 +14,9 @@ namespace deformlab {
 ///   detail_turn          mean angle between the detail before and after, each in its own frame,
 ///                        in degrees
 ///   detail_length_error  mean of | |after| / |before| − 1 |
-/// The last two are there only if the rest shape has detail. `length` is ℓ, the scale below which
-/// shape counts as detail, in diagonals of the rest shape; it must be positive. The result is empty
-/// for a shape without triangles.
+/// The last two exist only if the rest shape has detail. `length` is ℓ, the positive scale below
+/// which shape counts as detail, in diagonals of the rest shape. The result is empty for a shape
+/// without triangles.
 Metrics detail(const Shape& rest, const Shape& deformed, double length);
 
 }  // namespace deformlab

@@ -23,17 +23,16 @@ struct DragOptions {
   }
 };
 
-/// What a drag did: the report of its last update, and metrics of all its updates, which are
-/// iterations_max, iterations_mean, and finite (1, or 0 where a vertex was not finite after any of
-/// them). The seconds are medians over the updates: seconds.update, and seconds.update.PHASE for
-/// each phase of the solver.
+/// The results of a drag: the report of its last update, and metrics of all its updates. These are
+/// iterations_max, iterations_mean, and finite (0 if a vertex was not finite after an update, else
+/// 1). The seconds are medians over the updates: seconds.update, and seconds.update.PHASE for each
+/// phase of the solver.
 struct DragReport {
   Report last;
   Metrics metrics, seconds;
 };
 
-/// Where the targets of handles are in the rest shape: handles.moved, then handles.points, 3×#
-/// [length].
+/// The rest positions of handles.moved and then of handles.points, 3×# [length].
 Eigen::Matrix3Xd targets_at_rest(const Shape& rest, const Handles& handles);
 
 /// Moves the handles of a compiled deformer from where they are in `rest` to their targets, and

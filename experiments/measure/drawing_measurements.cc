@@ -19,7 +19,7 @@ Complex edge(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f, int i) {
   return {e.x(), e.y()};
 }
 
-// Σ ‖e'' − R e‖² of one triangle: Σ‖e''‖² + Σ‖e‖² − 2 |Σ conj(e) e''|.
+// Σ ‖e'' − R e‖² of one triangle with its best rotation R.
 double rigid_residual(const Eigen::Matrix2Xd& rest, const Eigen::Matrix2Xd& V,
                       const Eigen::Vector3i& f) {
   Complex s = 0;

@@ -10,7 +10,7 @@
 
 namespace deformlab {
 
-/// Numbers by name. Claims are about them, and results list them.
+/// Numbers by their names. Claims are about them, and results list them.
 using Metrics = std::map<std::string, double>;
 
 /// The numbers of a report without its seconds: cost and cost.TERM, iterations, converged (1 or 0),
@@ -30,8 +30,8 @@ Metrics seconds_of(const Report& report);
 /// empty for a shape without triangles.
 Metrics distortion(const Shape& rest, const Shape& deformed);
 
-/// The same of a part of the surface, as region.shear_mean and so on: the triangles whose corners
-/// are all among `vertices`, which ascend. Empty where there is no such triangle.
+/// The same for a part of the surface, as region.shear_mean and so on: the triangles whose corners
+/// are all among `vertices`, which ascend. The result is empty if there is no such triangle.
 Metrics region_distortion(const Shape& rest, const Shape& deformed,
                           const std::vector<int>& vertices);
 

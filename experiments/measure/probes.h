@@ -7,7 +7,7 @@
 
 namespace deformlab {
 
-/// What is measured beyond what every run measures.
+/// Measurements in addition to those of every run.
 struct MeasureOptions {
   double detail = 0;
   int stripes = 0;
@@ -37,16 +37,16 @@ struct MeasureOptions {
 /// Throws InputError for options out of range, and a region that is no selection.
 void check(const MeasureOptions& options);
 
-/// The vertices of the region in ascending order; none where no region is measured. Throws
-/// InputError where the region selects nothing.
+/// The vertices of the region in ascending order; none if no region is measured. Throws InputError
+/// if the region selects nothing.
 std::vector<int> region_of(const MeasureOptions& options, const Shape& shape);
 
-/// The points of a list, 3×n. Each has d coordinates in the list; with d = 2 the third is 0. Throws
-/// InputError where it is not such a list.
+/// The points of a list, 3×n [length]. Each has d coordinates in the list. With d = 2, the third is
+/// 0. Throws InputError if it is not such a list.
 Eigen::Matrix3Xd read_probes(const ConfigNode& list, int d);
 
-/// probe_1_x, probe_1_y, probe_1_z, probe_2_x and so on: by which vector each probe moved. The
-/// columns of `way` (3×n) are divided by `size`.
+/// probe_1_x, probe_1_y, probe_1_z, probe_2_x and so on: the vectors by which the probes moved
+/// (`way`, 3×n), divided by `size`.
 Metrics probe_metrics(const Eigen::Matrix3Xd& way, double size);
 
 }  // namespace deformlab

@@ -22,20 +22,21 @@ enum Joint {
   kTailEnd,
   kShoulder,
   kKnee,
-  kFetlock,  // the fore leg on the left; 3 more on the right
+  kFetlock,  // the left fore leg; 3 joints of the right one follow
   kHip = kShoulder + 6,
   kStifle,
-  kHock,  // the hind leg alike
+  kHock,  // the left hind leg; 3 joints of the right one follow
   kJoints = kHip + 6
 };
 
-// The point that a joint turns about, on an axis across the body, and the joint that carries it.
+// The point that a joint turns about, on an axis across the body, and the joint that moves it.
 struct JointPlace {
   int parent;
   Vector3d at;
 };
 
-// A limb is the way of a ball that goes from a to b and grows or shrinks. It moves with its joint.
+// A limb is the volume of a ball that moves from a to b while its radius changes. It moves with its
+// joint.
 struct Limb {
   int joint;
   Vector3d a, b;
@@ -152,7 +153,7 @@ std::array<double, kJoints> angles(double time) {
   a[kTailEnd] = 10 * std::sin(cycle + 1.2);
   const double lead[] = {
       0.0, 0.10, 0.52,
-      0.62};  // part of a cycle, for the legs: fore left and right, hind left and right
+      0.62};  // as parts of a cycle: left and right fore leg, left and right hind leg
   for (int leg = 0; leg < 4; ++leg) {
     const double phase = cycle - 2 * std::numbers::pi * lead[leg];
     const double lifted = std::pow((1 + std::cos(phase)) / 2, 2);

@@ -21,7 +21,7 @@ class Gallop {
 
  private:
   Shape rest_;                 // standing
-  Eigen::MatrixXd influence_;  // #joints × #V, columns of sum one
+  Eigen::MatrixXd influence_;  // #joints × #V, the sum of each column is 1
 };
 
 }  // namespace deformlab

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kBorn = 10, kLife = 107;  // particles born in a frame, and frames of a life
 constexpr double kSpeed = 6,
-                 kSlower = 0.15;  // speed at the age 0, and how much less it is at the age 1
+                 kSlower = 0.15;  // speed at the age 0, and the share that is lost with age
 constexpr double kLength = kSpeed * (1 - kSlower);
 
 // The properties in which the particles of the jet differ.
@@ -36,7 +36,7 @@ Eigen::Vector3d position(const Nature& n, double age) {
   return {x, r * std::cos(turn), r * std::sin(turn)};
 }
 
-// Where a point beside the x axis goes when the axis is bent to an arc of a circle.
+// The position of a point beside the x axis after the axis is bent to an arc of a circle.
 Eigen::Vector3d bent(const Eigen::Vector3d& p, double bend) {
   const double curvature = bend * std::numbers::pi / 180 / kLength, turn = curvature * p.x();
   if (curvature == 0) return p;
@@ -54,7 +54,7 @@ void Jet::for_each_frame(const Visit& visit) const {
     for (int id = frame * kBorn; id < (frame + kLife) * kBorn; ++id) {
       const int born = id / kBorn - kLife + 1;
       const double share =
-          (id % kBorn) / static_cast<double>(kBorn);  // of a frame, by which it is born later
+          (id % kBorn) / static_cast<double>(kBorn);  // the part of a frame before its birth
       const double age = (frame - born + 1 - share) / kLife;
       rows.push_back({frame, id, bent(position(nature(id), age), bend_), number, number});
       ++number;

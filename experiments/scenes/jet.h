@@ -4,11 +4,11 @@
 
 namespace deformlab {
 
-/// A jet of particles that leaves the origin along x, swirls about itself and widens. Ten particles
-/// are born in each frame, and each lives through 107 frames, so that a frame has about 1,070. The
-/// jet is already there in the first frame, so that lives at the begin and at the end of the
-/// animation are shorter. One of the ten goes along the middle of the jet. The middle turns upwards
-/// by `bend` [degree] over its length.
+/// A jet of particles that leaves the origin along x, swirls about its axis and widens. Ten
+/// particles are born in each frame, and each lives through 107 frames, so that a frame has 1,070.
+/// The jet exists already in the first frame, so lives at the begin and at the end of the animation
+/// are shorter. One of the ten moves along the middle of the jet. The middle turns upwards by
+/// `bend` [degree] over its length.
 class Jet : public ParticleSource {
  public:
   explicit Jet(int frames, double bend = 0) : frames_(frames), bend_(bend) {}

@@ -13,7 +13,7 @@ namespace deformlab {
 namespace {
 
 constexpr float kJump = 4;  // a larger difference in depth [distance of rays] is a silhouette
-constexpr double kLargestHole = 0.06;  // radius, as part of the image
+constexpr double kLargestHole = 0.06;  // radius, as a part of the image
 
 // The i-th of n directions that are spread evenly over the sphere, on a spiral.
 Eigen::Vector3f direction(int i, int n) {

@@ -10,7 +10,7 @@ namespace deformlab {
 /// A scanner that looks at a shape from all around. Like real scans, its depth images are meshes
 /// that are not merged, with noise, holes and outliers.
 struct RangeScanOptions {
-  int views = 0;         ///< depth images, from directions spread over the sphere; 0: no scan
+  int views = 0;         ///< depth images, from directions all around; 0: no scan
   int resolution = 128;  ///< rays along each side of an image
   double noise = 0.1;    ///< standard deviation of the depth [distance between rays]
   int holes = 6;         ///< patches that each image lacks

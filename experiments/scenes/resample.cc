@@ -57,8 +57,8 @@ Shape shape_of(Mesh& mesh) {
   return shape;
 }
 
-// The stop conditions of CGAL count edges, but a collapse removes three of them, or two at a
-// boundary.
+// CGAL's stop conditions count edges. They cannot stop at a number of vertices, because a collapse
+// removes three edges, or two at a boundary.
 struct StopAtVertices {
   std::size_t wanted;
   template <class Cost, class Profile>

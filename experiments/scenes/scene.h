@@ -10,9 +10,9 @@ namespace deformlab {
 
 /// Where the shape of a config comes from: a file, or a generated plane.
 struct ShapeOptions {
-  std::string file;        ///< beside the config, below the working folder, or a packaged mesh
-  int columns = 201;       ///< of vertices of the generated plane, along x
-  int rows = 201;          ///< along y
+  std::string file;        ///< beside the config, in the working folder, or a packaged mesh
+  int columns = 201;       ///< columns of vertices of the generated plane, along x
+  int rows = 201;          ///< rows of vertices, along y
   double width = 1;        ///< [length]
   double depth = 1;        ///< [length]
   int bumps = 0;           ///< periods of z = bump_height sin sin along each side
@@ -48,7 +48,7 @@ struct ShapeOptions {
 /// out of range.
 Shape make_plane(const ShapeOptions& options);
 
-/// The shape of a config in `folder`. Throws InputError where it cannot be read or made.
+/// The shape of a config in `folder`. Throws InputError if it cannot be read or made.
 Shape make_shape(const ShapeOptions& options, const std::filesystem::path& folder);
 
 }  // namespace deformlab

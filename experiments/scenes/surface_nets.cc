@@ -11,7 +11,7 @@ using Cell = Eigen::Vector3i;
 
 constexpr int kMostSweeps = 20;
 
-// Whether a set of corners of a cube, as bits, is connected along the edges of the cube.
+// Whether corners of a cube, given as bits, are connected along the edges of the cube.
 bool is_one_piece(unsigned corners) {
   unsigned reached = corners & -corners;
   for (int step = 0; step < 8; ++step) {
@@ -67,8 +67,8 @@ class Net {
   double value(const Cell& c) const { return values_[index(c)]; }
   Eigen::Vector3d at(const Cell& c) const { return low_ + cell_ * c.cast<double>(); }
 
-  // A cube with room for one vertex cannot hold two sheets: where two pass through, they would be
-  // pinched together. The corner that is nearest to the surface then changes sides.
+  // A cube has one vertex, at which two sheets through the cube would touch. Therefore the corner
+  // that is nearest to the surface changes sides if there are two.
   bool separate_sheets() {
     bool changed = false;
     for (int z = 0; z + 1 < size_.z(); ++z) {
@@ -132,7 +132,7 @@ class Net {
   double cell_;
   Eigen::Array3i size_;
   std::vector<double> values_;  // at the corners of all cubes
-  std::vector<int> vertex_;     // of the cube above each corner, or -1
+  std::vector<int> vertex_;     // the vertex of the cube that begins at each corner, or -1
   std::vector<Eigen::Vector3d> vertices_;
   std::vector<std::vector<int>> faces_;
 };
