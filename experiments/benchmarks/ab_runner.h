@@ -20,7 +20,7 @@ double ms_of(Action&& action) {
   return 1e3 * seconds;
 }
 
-/// What one run of one way gave.
+/// The result of one run of one way.
 struct RunResult {
   double ms = 0;  ///< the time that is compared
   /// Further figures of the same run, by name. Their medians are reported.
@@ -31,7 +31,7 @@ struct RunResult {
   double cost = 0;        ///< F of the result
 };
 
-/// A way to do the work. `run` does it once; what can be prepared is prepared before.
+/// A way to do the work. `run` does it once, without what can be prepared before.
 struct Way {
   std::string name;  ///< with all settings that are not defaults
   std::function<RunResult()> run;
@@ -52,7 +52,8 @@ struct Spread {
   double median = 0, least = 0, most = 0;
 };
 
-/// Of at least one value; of an even number, the median is the mean of the two middle ones.
+/// The spread of at least one value. The median of an even number of values is the mean of the two
+/// middle ones.
 Spread spread(std::vector<double> values);
 
 /// A scenario measured at one size: ours.ms[i] and theirs.ms[i] were measured one after the other.
@@ -68,11 +69,12 @@ struct Measurement {
   Side ours, theirs;
 
   Spread ratio() const;       ///< of theirs.ms[i] / ours.ms[i]: how many times as fast ours is
-  bool same_minimum() const;  ///< both costs agree to 1e-6, relative to ours
+  bool same_minimum() const;  ///< whether both costs agree to 1e-6, relative to ours
 };
 
-/// Runs both ways in turns, so that whatever else the machine does slows both. Our way runs once
-/// before, unmeasured. A pair of which one way takes more than three seconds is measured once.
+/// Runs both ways in turns, so that other work of the machine slows both. Our way runs once before
+/// that, without being measured. If one of a pair takes more than three seconds, the pair is
+/// measured once.
 Measurement measure(const Scenario& scenario, int size, int repetitions);
 
 }  // namespace deformlab

@@ -19,7 +19,7 @@
 namespace deformlab {
 namespace {
 
-constexpr double kLeastSeconds = 0.02;  // a shorter action is repeated until it took so long
+constexpr double kLeastSeconds = 0.02;  // a shorter action is repeated until this time is over
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -56,7 +56,7 @@ Drawing drawing(int vertices) {
   return result;
 }
 
-// Milliseconds of one call, the mean of as many calls as take long enough to be measured.
+// The mean time of one call [ms], over as many calls as take long enough to be measured.
 template <class Call>
 double mean_ms(Call&& call) {
   double seconds = 0;

@@ -9,7 +9,7 @@
 namespace deformlab {
 namespace {
 
-constexpr int kManyNodes = 2000;  // with more, only those of Ceres' ways are tried that can win
+constexpr int kManyNodes = 2000;  // with more, only the ways of Ceres that can win are tried
 constexpr double kHardSide = 2;
 
 std::vector<SolverOptions> ceres_ways(int nodes, double side) {

@@ -45,7 +45,7 @@ void GrowthReporter::ReportRuns(const std::vector<Run>& runs) {
     if (run.report_big_o) {
       family.big_o = big_o(run.complexity);
     } else if (!run.error_occurred && run.run_type == Run::RT_Iteration) {
-      const double time = run.GetAdjustedRealTime();  // in ms, the unit of all our benchmarks
+      const double time = run.GetAdjustedRealTime();  // [ms], the unit of all our benchmarks
       if (run.complexity_n > 0) family.points.emplace_back(double(run.complexity_n), time);
       std::string rest;
       for (const auto& [name, counter] : run.counters) {

@@ -55,7 +55,7 @@ int positive(const std::string& text, const char* flag) {
     std::size_t end = 0;
     const int value = std::stoi(text, &end);
     if (end == text.size() && value > 0) return value;
-  } catch (const std::exception&) {  // reported below, as other mistakes are
+  } catch (const std::exception&) {  // reported below, like other mistakes
   }
   throw InputError(fmt::format("--{}: '{}' is not a whole number above 0", flag, text));
 }
@@ -104,7 +104,7 @@ struct Growth {
 
 Growth measure_growth() {
   Growth result;
-  const int repetitions = std::min(FLAGS_repetitions, 3);  // the largest takes seconds
+  const int repetitions = std::min(FLAGS_repetitions, 3);  // because the largest takes seconds
   for (const int nodes : sizes(FLAGS_scaling_nodes, "scaling_nodes")) {
     result.growing.push_back(scale(FLAGS_scaling_side, nodes, repetitions));
   }

@@ -10,7 +10,7 @@ namespace deformlab {
 namespace {
 
 constexpr int kSide = 201;
-constexpr int kStrips = 20;  // so many strips cover the whole side
+constexpr int kStrips = 20;  // strips that would cover the whole side
 
 }  // namespace
 

@@ -24,8 +24,8 @@ const ReferenceScene& reference_scene();
 Shape bumpy_plane(int n);
 
 /// The scene with a graph of m nodes, which are the same for every solver. It is not compiled yet.
-/// With a `side` [length] the plane is that long and the energy keeps the unit 1, so that a side of
-/// 2 makes a harder problem.
+/// A `side` above 0 is the length of the plane [length], while the energy keeps the unit 1, so that
+/// a side of 2 makes a harder problem.
 EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver, double side = 0);
 
 }  // namespace deformlab

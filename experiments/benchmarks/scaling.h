@@ -25,11 +25,11 @@ struct Scale {
 /// The medians of `repetitions` runs. The registration runs once.
 Scale scale(int side, int nodes, int repetitions);
 
-/// The exponent p of the time to convergence ~ nodes^p, by least squares in log-log.
+/// The exponent p of the time to convergence ~ nodes^p, by least squares of the logarithms.
 double growth(const std::vector<Scale>& all);
 
 /// A Markdown table of graphs of growing size on one shape, with the exponent, and one of a million
-/// vertices, which sets the times of registration and transfer side by side.
+/// vertices, which compares the times of registration and transfer.
 std::string to_markdown(const std::vector<Scale>& growing, const std::vector<Scale>& large);
 
 nlohmann::ordered_json to_json(const std::vector<Scale>& growing, const std::vector<Scale>& large);

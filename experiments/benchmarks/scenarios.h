@@ -10,8 +10,8 @@ namespace deformlab {
 /// CHOLMOD path or CGAL.
 std::vector<Scenario> edit_scenarios();
 
-/// One Gauss–Newton step of our CHOLMOD path against a step of every configuration of Ceres that
-/// makes sense. The time of the whole solve is a further figure.
+/// One Gauss–Newton step with CHOLMOD against a step of every sensible configuration of Ceres. The
+/// time of the whole solve is a further figure.
 std::vector<Scenario> step_scenarios();
 
 /// Igarashi's two-step deformation of a drawing against CGAL's as-rigid-as-possible deformation.

@@ -57,7 +57,7 @@ void whole_solve(benchmark::State& state, SolverMethod method, const char* linea
 void sizes(benchmark::internal::Benchmark* b) {
   for (const int m : {100, 222, 425, 1048, 2048, 4000}) b->Arg(m);
   b->ArgName("nodes")->UseManualTime()->Unit(benchmark::kMillisecond)->Complexity();
-  b->MinTime(0.05);  // of the timed parts: measuring one step takes a whole solve
+  b->MinTime(0.05);  // short, because a whole solve is needed to measure one step
 }
 
 BENCHMARK_CAPTURE(step, gauss_newton, SolverMethod::kGaussNewton, "cholmod")->Apply(sizes);

@@ -6,8 +6,7 @@
 namespace deformlab {
 namespace {
 
-// The same globalization as Ceres' trust region is the closest: both take full steps where they
-// can.
+// This globalization is the closest to Ceres' trust region: both take full steps where they can.
 SolverOptions our_options() {
   SolverOptions options = cholmod_options();
   options.globalization = "line_search";

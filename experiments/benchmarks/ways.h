@@ -15,11 +15,11 @@ SolverOptions ceres_options(const std::string& linear_solver, CeresBlocks blocks
                             CeresTrustRegion trust_region,
                             CeresSparseLibrary sparse_library = CeresSparseLibrary::kSuiteSparse);
 
-/// What a solve says of itself, with the time that is compared.
+/// The result of a solve, with the time that is compared.
 RunResult result_of(double ms, const Summary& solve);
 
-/// Compilation and update from rest, without the transfer, which is the same for all solvers. With
-/// a `side` the plane is that long: 2 makes a hard problem (see reference_deformation).
+/// Compilation and update from rest, without the transfer, which is the same for all solvers.
+/// `side` is that of reference_deformation.
 Way from_rest(int nodes, const SolverOptions& options, double side = 0);
 
 /// The same with the transfer to all vertices, by the default solver.
