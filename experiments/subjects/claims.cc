@@ -16,7 +16,7 @@ std::string number(double value) {
   return text;
 }
 
-// Whether a value is the expected one, which may be a list itself, or one of a list of values.
+// Whether a value is the expected one, which may itself be a list, or is one of a list of values.
 bool is_wanted(const std::string& value, const ConfigNode& wanted) {
   if (value == to_yaml_line(wanted)) return true;
   return wanted.kind == ConfigNode::Kind::kList &&

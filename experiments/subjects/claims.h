@@ -24,7 +24,7 @@ constexpr auto names_of(ClaimOver) {
                                              {kExponent, "exponent"}});
 }
 
-/// A statement about measurements that a config carries, and that its run checks.
+/// A statement of a config about measurements, which its run checks.
 struct Claim {
   std::string name;
   std::string says;
@@ -80,11 +80,10 @@ struct ClaimResult {
 /// lists of values of which one must match.
 bool matches(const MeasuredRun& run, const ConfigNode& filter);
 
-/// Throws InputError where a claim expects nothing, or something that cannot be.
+/// Throws InputError if a claim expects nothing, or something impossible.
 void check_form(const Claim& claim);
 
-/// Throws InputError as check_form does, and where the claim names runs or a metric that do not
-/// exist.
+/// Throws InputError as check_form does, and if the claim names runs or a metric that do not exist.
 ClaimResult check(const Claim& claim, const std::vector<MeasuredRun>& runs);
 
 }  // namespace deformlab

@@ -12,14 +12,14 @@
 namespace deformlab {
 namespace {
 
-constexpr std::size_t kLongestLabel = 40;  // of a swept value in a caption
+constexpr std::size_t kLongestLabel = 40;  // longer values are cut in captions
 
 ConfigNode with_overrides(ConfigNode root, const std::vector<Override>& overrides) {
   for (const Override& change : overrides) apply_override(root, change);
   return root;
 }
 
-// Otherwise the sweep would silently win over what the command line asks for.
+// Throws InputError for an override that the sweep would silently replace.
 void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& sweep) {
   for (const Override& change : overrides) {
     for (const ConfigNode* swept : swept_keys(sweep)) {
@@ -39,7 +39,7 @@ ExperimentConfig read(const ConfigNode& root) {
   return config;
 }
 
-// Claims may be about times, too.
+// Adds the seconds to the metrics, because claims may be about times too.
 std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
   std::vector<MeasuredRun> result;
   for (const Run& run : runs) {
@@ -49,7 +49,8 @@ std::vector<MeasuredRun> with_seconds(const std::vector<Run>& runs) {
   return result;
 }
 
-// The claims, the sweep and the picture, except for the direction of view, belong to all runs.
+// Throws InputError for a swept key that belongs to all runs: the claims, the sweep, and the
+// picture except for the direction of view.
 void check_swept_keys(const ConfigNode& sweep) {
   for (const ConfigNode* swept : swept_keys(sweep)) {
     if (swept->key == "picture.direction" || swept->key == "picture.up") continue;
@@ -62,13 +63,14 @@ void check_swept_keys(const ConfigNode& sweep) {
   }
 }
 
-// A config that was read whole: nothing in it is unknown, of a wrong type or out of its range.
+// A config that was read completely: no key is unknown, and no value has a wrong type or is out of
+// range.
 struct Plan {
   ExperimentConfig config;
   std::vector<SweptRun> combinations;
   std::vector<RunOptions> runs;
-  std::vector<ConfigNode> roots;         ///< what each run was read from
-  std::optional<std::size_t> reference;  ///< the run that all are compared with
+  std::vector<ConfigNode> roots;         ///< the config of each run
+  std::optional<std::size_t> reference;  ///< the run with which all runs are compared
 };
 
 Plan plan(const std::filesystem::path& path, const std::vector<Override>& overrides) {

@@ -14,8 +14,8 @@
 
 namespace deformlab {
 
-/// One config file: one figure, table or ablation, with the numbers that it must show. It is a list
-/// of runs, which its sweep makes from the options of one, with claims about what they measure.
+/// The content of a config file: one figure, table or ablation. Its sweep makes a list of runs from
+/// the options of one run, and its claims say what they should measure.
 struct ExperimentConfig {
   std::string title;
   std::string paper;
@@ -36,7 +36,7 @@ struct ExperimentConfig {
   }
 };
 
-/// What an experiment resulted in.
+/// The results of an experiment.
 struct Outcome {
   ExperimentConfig config;
   ConfigNode resolved;  ///< the config with every default and override
@@ -46,7 +46,7 @@ struct Outcome {
   std::vector<Image> frames;  ///< the image sequence of an animation, where one is asked for
 };
 
-/// Called before each run, with its number from 1, how many there are, and what it sets.
+/// Called before each run, with its number from 1, the number of runs, and what it sets.
 using Progress = std::function<void(std::size_t, std::size_t, const std::string&)>;
 
 /// Runs the config at `path` with the overrides applied: each combination of its sweep, then the

@@ -9,7 +9,7 @@
 namespace deformlab {
 namespace {
 
-// Errors of a method's options name them as a config does.
+// Calls action(). Errors of a method's options then name them as a config does.
 template <class Action>
 std::unique_ptr<Deformer> made(DeformerKind kind, Action&& make) {
   return inside_option(name_of(kind), make);

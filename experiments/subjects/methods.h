@@ -14,7 +14,7 @@
 
 namespace deformlab {
 
-/// The method that deforms. auto: embedded_deformation for a shape, arap_2d for a drawing.
+/// The method that deforms. auto is embedded_deformation for a shape and arap_2d for a drawing.
 enum class DeformerKind { kAuto, kEmbeddedDeformation, kArap2d, kRbf, kPrimo, kCgalArap };
 constexpr auto names_of(DeformerKind) {
   using enum DeformerKind;

@@ -51,7 +51,7 @@ struct PictureOptions {
   }
 };
 
-/// Throws InputError, before the work, for a direction of view that no picture can have.
+/// Throws InputError for an impossible direction of view.
 void check(const PictureOptions& options);
 
 /// How a panel of such a picture is rendered.

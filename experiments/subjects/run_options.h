@@ -53,12 +53,12 @@ struct RunOptions {
 /// does, and for the name of an energy that does not exist.
 RunOptions read_run_options(const ConfigNode& root);
 
-/// Completes what was read from `root`. Weights are a map whose keys only the catalog of energies
-/// knows: this throws InputError for another key below `energies` or `losses`, and fills in the
-/// default weights of the energies that `root` does not name.
+/// Completes the options that were read from `root`: adds the default weights of the energies that
+/// `root` does not name. Throws InputError for a key below `energies` or `losses` that is not the
+/// name of an energy.
 void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& options);
 
-/// Throws the InputError of options that no kind of subject can be run with.
+/// Throws InputError for options that no kind of subject supports.
 void check_run_options(const RunOptions& options, const ConfigNode& root);
 
 }  // namespace deformlab

@@ -23,7 +23,7 @@ const std::vector<SubjectKind>& subject_kinds() {
   return kinds;
 }
 
-// The first kind takes whatever no other does, so that it is asked last.
+// The first kind accepts everything that no other does, so it is tried last.
 const SubjectKind& kind_of(const RunOptions& options) {
   const std::vector<SubjectKind>& kinds = subject_kinds();
   const auto kind = std::find_if(kinds.rbegin(), kinds.rend(),

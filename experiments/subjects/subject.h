@@ -25,9 +25,9 @@ struct Run {
   Metrics seconds;
   Summary solve;  ///< the last solve
   std::vector<std::string> notes;
-  Eigen::Matrix3Xd V{};      ///< where the vertices of a shape or a drawing went, 3×#V [length]
+  Eigen::Matrix3Xd V{};      ///< deformed vertices of a shape or a drawing, 3×#V [length]
   double size = 1;           ///< diagonal of its bounding box at rest [length]
-  bool many_solves = false;  ///< of an animation: the metrics are about the solves of all frames
+  bool many_solves = false;  ///< true for an animation: metrics are about the solves of all frames
 };
 
 /// The panels of all runs of one kind of subject.
@@ -52,20 +52,21 @@ struct CommandLine {
 
 /// Where a run takes place.
 struct RunContext {
-  std::filesystem::path folder;  ///< of the config: relative paths begin there
-  /// Of a command that writes the deformed subject to `out`. A config writes no subject.
+  std::filesystem::path folder;  ///< of the config, where relative paths begin
+  /// The command line of a command, which writes the deformed subject to `out`. A config writes no
+  /// subject.
   std::optional<CommandLine> command;
 
   bool writes() const { return command.has_value(); }
-  /// Measuring takes time. A command that writes no metrics leaves it out.
+  /// Whether to measure. A command that writes no metrics saves this time.
   bool measures() const { return !command || !command->metrics.empty(); }
   /// The same for pictures.
   bool draws() const { return !command || !command->picture.empty(); }
 };
 
-/// Something that can be deformed: a shape, a drawing, a mesh animation, particles. It has its
-/// options and its context from its constructor, which does no work. Then each run calls, in this
-/// order, check, read, deform and, as it likes, measure, draw and write.
+/// Something that can be deformed: a shape, a drawing, a mesh animation, or particles. Its
+/// constructor only stores its options and its context. Then each run calls, in this order, check,
+/// read, deform and, if they are needed, measure, draw and write.
 ///
 /// A subject that does not fit into memory, such as a long animation, is deformed, measured and
 /// written frame by frame in `deform`; `write` then completes the file.
@@ -73,16 +74,16 @@ class Subject {
  public:
   virtual ~Subject() = default;
 
-  /// Throws InputError for options and an edit that this kind of subject cannot be run with,
-  /// before anything is read.
+  /// Throws InputError for options and an edit that this kind of subject does not support. Reads
+  /// nothing.
   virtual void check() const = 0;
-  /// Reads the subject and finds what the edit selects. Throws InputError where the subject cannot
-  /// be read, the edit does not fit it, or the command's files cannot be written.
+  /// Reads the subject and finds what the edit selects. Throws InputError if the subject cannot be
+  /// read, the edit does not fit it, or the command's files cannot be written.
   virtual void read() = 0;
   virtual void deform() = 0;
   /// The last solve of `deform`.
   virtual const Summary& solve() const = 0;
-  /// What failed, in a sentence for the user; empty where all was solved.
+  /// What failed, in a sentence for the user; empty if all was solved.
   virtual std::string failure() const;
   virtual Run measure() const = 0;
   /// Adds panels to a book that the make_book of this kind of subject has made.
@@ -96,24 +97,24 @@ class Subject {
 /// A kind of subject, as configs and commands know it.
 struct SubjectKind {
   const char* name;      ///< "a drawing"
-  const char* flag;      ///< of the command line, for its file; "": the first argument
+  const char* flag;      ///< the flag that names its file; empty: the first argument does
   const char* file_key;  ///< the key of a config that names its file: "drawing.file"
-  std::vector<std::string> meaningless;  ///< keys of a config that mean nothing for it
+  std::vector<std::string> meaningless;  ///< keys of a config that have no effect on it
 
   /// Whether the options of a config describe such a subject.
   bool (*is_in)(const RunOptions&);
-  /// Whether a command line whose first argument is the subject is about this kind.
+  /// Whether a command line whose first argument is the subject describes this kind.
   bool (*reads)(const CommandLine&);
   /// Puts the edit of a command into the config of its run.
   void (*load_edit)(const std::filesystem::path& edit, ConfigNode& root);
-  /// Puts into the config what this kind sets for commands in another way than for configs.
+  /// Puts those defaults into the config that this kind only has for commands.
   void (*set_defaults)(const CommandLine&, ConfigNode& root);
   std::unique_ptr<Subject> (*make)(const RunOptions&, const RunContext&);
   /// Kinds with the same function have their panels in one book.
   std::unique_ptr<Book> (*make_book)(const PictureOptions&);
 };
 
-/// All kinds of subjects. A subject that is no other is a shape, which is the first.
+/// All kinds of subjects. The first is a shape, which is every subject that is of no other kind.
 const std::vector<SubjectKind>& subject_kinds();
 
 /// The kind of subject that the options of a config describe.
@@ -123,11 +124,11 @@ const SubjectKind& kind_of(const RunOptions& options);
 /// as the first argument. Throws InputError for a flag that no kind has.
 const SubjectKind& kind_of(const CommandLine& line, std::string_view flag);
 
-/// Logs what a user should know about a report. A command also tells of a solve that has not
-/// converged; in a config, claims do.
+/// Logs what a user should know about a report. A command also logs that a solve has not converged.
+/// In a config, claims check this.
 void log_notes(const Report& report, const RunContext& context);
 
-/// What is measured of every subject whose handles are dragged. `size` is the diagonal of its
+/// The measurements of every subject whose handles are dragged. `size` is the diagonal of its
 /// bounding box [length].
 Run run_of(const DragReport& drag, const ResolvedEdit& edit, const Eigen::Matrix3Xd& V,
            double size);

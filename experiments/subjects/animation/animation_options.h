@@ -23,7 +23,7 @@ struct AnimationOptions {
   std::string file;
   int frames = 24;
   double cycle = 24;    ///< frames of one cycle of a gait
-  double bend = 0;      ///< of the jet [degree]
+  double bend = 0;      ///< how far the jet turns upwards [degree]
   double cell = 0.031;  ///< mean distance of the quadruped's vertices [length]
   KeyframesOptions keyframes;
   std::optional<int> path;
@@ -58,14 +58,14 @@ struct AnimationOptions {
   }
 };
 
-/// Throws InputError for options that no animation can be run with, for a method other than
-/// embedded deformation, and for what read_script does not take.
+/// Throws InputError for options that no animation supports, for a method other than embedded
+/// deformation, and for edits that read_script does not accept.
 void check_animation(const RunOptions& options, const RunContext& context);
 
 /// What messages call the option that names the files: "--FLAG" of a command, or animation.file.
 std::string name_of_file(const RunContext& context, const std::string& flag);
 
-/// The frames that the pictures of a run show; none of a command without a picture.
+/// The frames that the pictures of a run show; none for a command without a picture.
 SeenFrames frames_to_see(const AnimationOptions& options, const FrameRange& range,
                          const RunContext& context);
 

@@ -32,15 +32,15 @@ struct SequenceOptions {
 /// Throws InputError for options out of range, and for more pictures of `frames` than can be kept.
 void check(const SequenceOptions& options, int frames);
 
-/// Throws InputError where a contact sheet cannot show so many frames. Messages call the option
+/// Throws InputError if a contact sheet cannot show this number of frames. Messages call the option
 /// `name`.
 void check_pictured(int pictured, int most, const std::string& name);
 
-/// `count` frames of a range, evenly spread from the first on.
+/// `count` frames of a range, evenly spread, beginning with the first.
 std::vector<int> evenly_spread(const FrameRange& range, int count);
 
-/// What a picture shows of one frame of an animation: the input, the output, its handles, 3×n
-/// [length], and which vertices are tinted.
+/// What a picture shows of one frame of an animation: the input, the output, the handles (3×n)
+/// [length], and the vertices that are tinted.
 struct SeenFrame {
   Shape input, output;
   Eigen::Matrix3Xd handles;
@@ -80,7 +80,7 @@ class AnimationBook : public Book {
   void add(const SeenFrames& frames, const DeformationGraph& graph, const std::string& caption);
   bool empty() const override { return runs_ == 0; }
   Image render() const override;  ///< the contact sheet
-  /// Has only frames that every run has, all in one size and framing.
+  /// The frames that every run has, all with the same size and framing.
   std::vector<Image> sequence(int width) const override;
 
  private:

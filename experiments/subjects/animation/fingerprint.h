@@ -12,7 +12,7 @@ namespace deformlab {
 class Fingerprint {
  public:
   void add(std::string_view bytes);
-  /// Adds the bytes of a file. Throws InputError where it cannot be read.
+  /// Adds the bytes of a file. Throws InputError if it cannot be read.
   void add_file(const std::filesystem::path& path);
   std::string text() const;  ///< 16 hexadecimal digits
 

@@ -10,8 +10,8 @@ namespace deformlab {
 /// horse-001.obj and so on.
 class FramePattern {
  public:
-  /// Messages call it `pattern_name`. Throws InputError where the text does not have exactly one %d
-  /// or %0Nd, or has it in the name of a folder.
+  /// Messages call it `pattern_name`. Throws InputError if the text does not have exactly one %d or
+  /// %0Nd, or has it in the name of a folder.
   FramePattern(const std::string& text, const std::string& pattern_name);
 
   std::filesystem::path path(int frame) const;
@@ -36,16 +36,15 @@ struct FrameRange {
   int count() const { return last - first + 1; }
 };
 
-/// All frames that the pattern matches. Throws InputError where there is none, or where one is
-/// missing between two others (naming it).
+/// All frames that the pattern matches. Throws InputError if there is none, or if one is missing
+/// between two others (naming it).
 FrameRange find_frames(const FramePattern& pattern);
 
-/// Throws InputError where a file that is written would, now or in another run, be one that is
-/// read.
+/// Throws InputError if a file that is written would also be read, in this or in another run.
 void check_apart(const FramePattern& in, const FramePattern& out, const FrameRange& range);
 
-/// Throws InputError where the file that `flag` names would be a frame of the pattern, whether the
-/// file exists or not. The path may be empty.
+/// Throws InputError if the pattern matches the file that `flag` names, whether this file exists or
+/// not. The path may be empty.
 void check_no_frame(const std::string& path, const std::string& flag, const FramePattern& pattern);
 
 }  // namespace deformlab

@@ -23,7 +23,7 @@ class FrameSource {
 /// Frames in files.
 class FrameFiles : public FrameSource {
  public:
-  /// `name` is what messages call the pattern. Throws InputError as FramePattern and find_frames.
+  /// Messages call the pattern `name`. Throws InputError as FramePattern and find_frames do.
   FrameFiles(const std::string& pattern, const std::string& name);
 
   FrameRange range() const override { return range_; }

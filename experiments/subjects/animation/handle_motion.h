@@ -23,9 +23,10 @@ class HandleMotion {
   HandleMotion(const Script& script, const FrameRange& range,
                const std::function<Shape(int)>& pose_of);
 
-  /// Vertices that are fixed are fixed in all frames: they are where the input has them.
+  /// Fixed vertices are fixed in all frames, at their positions in the input.
   const Handles& handles() const { return handles_; }
-  Eigen::Matrix3Xd offsets(double frame) const;  ///< 3×#: of handles().moved, then .points [length]
+  /// The offsets of handles().moved and then of handles().points in a frame, 3×# [length].
+  Eigen::Matrix3Xd offsets(double frame) const;
   std::string description() const;  ///< all handles and offsets as text, for a fingerprint
 
  private:
@@ -50,7 +51,7 @@ class HandleMotion {
   bool smooth_;
   std::map<int, Channel> vertices_;
   std::map<Point, Channel> points_;
-  std::map<int, std::string> fixed_;  // and by which edit
+  std::map<int, std::string> fixed_;  // vertices, and the edits that fix them
   Handles handles_;
 };
 

@@ -9,18 +9,18 @@
 namespace deformlab {
 
 /// Compares the motion of an edited animation with that of its input, at all points or at some.
-/// Frames are added one after the other, and only the last two are kept. With v the input, ṽ the
-/// output, d = ṽ − v, Δ the difference to the frame before, and root mean squares over points and
-/// frames:
+/// Frames are added one after the other, and only the last two are kept. v is the input, ṽ the
+/// output, d = ṽ − v, and Δ the difference to the frame before. Means are root mean squares over
+/// points and frames:
 ///   displacement              of d [length]
 ///   displacement_change       Δd over Δv: 0 where the edit is the same in all frames
 ///   displacement_change_max   the same of the worst frame, over the mean Δv
-///   unsteadiness              Δ²d over Δ²v: what flickers or jumps
+///   unsteadiness              Δ²d over Δ²v: greater if the edit flickers or jumps
 ///   unsteadiness_max          the same of the worst frame, over the mean Δ²v
-///   motion_kept               Σ Δv·Δṽ / Σ |Δv|²: 1 where the motion is kept
-///   fast_motion_kept          the same of Δ², in which fast motion weighs more
+///   motion_kept               Σ Δv·Δṽ / Σ |Δv|²: 1 if the motion is kept
+///   fast_motion_kept          the same of Δ², in which fast motion counts more
 ///   fast_motion_correlation   the cosine of Δ²v and Δ²ṽ over all
-/// What needs two or three frames in a row is left out where there are none.
+/// Metrics that need two or three consecutive frames are left out if there are none.
 class Coherence {
  public:
   explicit Coherence(std::vector<int> points = {}) : points_(std::move(points)) {}
@@ -45,7 +45,7 @@ class Coherence {
   Sums places_, changes_, bends_;
 };
 
-/// The angle of the rotation that takes points best to others, both 3×n [degrees].
+/// The angle of the rotation that best takes `from` to `to`, both 3×n [degree].
 double turn_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to);
 
 /// Measures the frames of a mesh animation, which are added one after the other: Coherence, and the

@@ -23,8 +23,8 @@ namespace {
 
 constexpr const char* kFlag = "frames";
 
-// No file of a command may be a frame, or the file in which a command that was stopped finds how
-// far it came.
+// Checks that no file of a command is a frame, or the file that says how far a stopped command
+// came.
 void check_files(const CommandLine& c, const FrameFiles& frames, const FramePattern& out) {
   const int first = frames.range().first;
   check_outputs({frames.pattern().path(first).string(), c.edit},
@@ -153,7 +153,7 @@ class MeshSubject : public Subject {
                     "over";
   }
 
-  // Covers all that the frames depend on. Checks the input frames on the way.
+  // A fingerprint of all that the frames depend on. It also checks the input frames.
   std::string fingerprint() const {
     Fingerprint fingerprint;
     for (const std::string& text :
@@ -165,8 +165,8 @@ class MeshSubject : public Subject {
     return fingerprint.text();
   }
 
-  // A command stops at a frame that cannot be solved. A config measures it, because its claims may
-  // be about it.
+  // A command stops at a frame that cannot be solved. A config measures this frame, because its
+  // claims may be about it.
   bool make(int frame) {
     const Shape input = frames_->read(frame);
     const Report report = deformer_->update(input, motion_->offsets(frame));
@@ -192,7 +192,7 @@ class MeshSubject : public Subject {
     if (seen_->wants(frame)) see(frame, frames_->read(frame));
   }
 
-  // A frame that was written is read again, so that the picture is the same after a stop.
+  // Reads a frame that was written, so that the picture is the same after a stop.
   void see(int frame, const Shape& input) {
     const Shape output = context_.writes() ? read_shape(out_->path(frame)) : deformer_->deformed();
     const Eigen::Matrix3Xd handles = output.V(Eigen::all, motion_->handles().moved);

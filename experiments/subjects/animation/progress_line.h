@@ -9,7 +9,7 @@ namespace deformlab {
 /// one line that is overwritten.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::string what);  ///< "animate: checking frame"
+  explicit ProgressLine(std::string what);  ///< such as "animate: checking frame"
   ~ProgressLine();
   void show(int done, int all);
 

@@ -17,8 +17,8 @@ constexpr const char* kHead =
     "deformlab animate was stopped: the next run goes on after this frame. Delete this file to "
     "start over.";
 
-// Whether a write that was stopped left this file: the name of a file, an ending, the id of a
-// process.
+// Whether a write that was stopped left this file. Its name is that of the complete file, with an
+// ending and the id of a process.
 bool is_leftover(const std::string& name, const std::string& of) {
   for (const char* ending : {".tmp", ".partial"}) {
     if (!name.starts_with(of + ending)) continue;

@@ -10,12 +10,12 @@ namespace deformlab {
 
 inline constexpr const char* kProgressEnding = ".progress";  ///< after the output's pattern
 
-/// A small file beside the output of a run over a sequence. It says how far the run has come, so
-/// that a run that was stopped goes on from there. It is removed after the last frame.
+/// A small file beside the output of a run over a sequence. It says which frames are finished, so
+/// that a run that was stopped can continue. It is removed after the last frame.
 class ResumeFile {
  public:
-  /// Reads the file of an earlier run. It is ignored where its fingerprint differs, because that
-  /// run had another input or edit. Half-written files that the earlier run left are removed.
+  /// Reads the file of an earlier run, but ignores it if its fingerprint differs, because that run
+  /// had another input or edit. Removes incomplete files of the earlier run.
   ResumeFile(const FramePattern& out, std::string fingerprint);
 
   bool outdated() const {
@@ -23,10 +23,10 @@ class ResumeFile {
   }  ///< whether there was a file with another fingerprint
   /// Whether the earlier run finished a frame, and its file is still there.
   bool has(int frame) const;
-  /// To be called when the file of a frame is complete. Throws InputError where the resume file
+  /// Has to be called when the file of a frame is complete. Throws InputError if the resume file
   /// cannot be written.
   void finished(int frame);
-  void remove();  ///< to be called when all frames are there
+  void remove();  ///< has to be called when all frames are complete
 
  private:
   void read();

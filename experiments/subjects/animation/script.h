@@ -10,7 +10,7 @@
 
 namespace deformlab {
 
-/// An edit of one frame, among those between which an animation's edit changes.
+/// A keyframe: one frame and its edit.
 struct KeyframeOptions {
   int frame = 0;
   ConfigNode edit;
@@ -21,14 +21,14 @@ struct KeyframeOptions {
   }
 };
 
-/// How offsets go from one keyframe to the next: in proportion to time, or slowly at both ends.
+/// How offsets change from one keyframe to the next: in proportion to time, or slowly at both ends.
 enum class Interpolation { kLinear, kSmooth };
 constexpr auto names_of(Interpolation) {
   using enum Interpolation;
   return std::to_array<EnumName<Interpolation>>({{kLinear, "linear"}, {kSmooth, "smooth"}});
 }
 
-/// The edits of an animation that change with time, beside `edit:` itself.
+/// The edits of an animation that change with time, in addition to `edit:` itself.
 struct KeyframesOptions {
   std::optional<int> pose;
   Interpolation interpolation = Interpolation::kLinear;
@@ -47,7 +47,7 @@ struct KeyframesOptions {
 
 /// One list of edits, and the frame in which it holds.
 struct TimedEdit {
-  std::optional<int> frame;  ///< none: always
+  std::optional<int> frame;  ///< none: the edits hold in all frames
   std::vector<EditEntry> entries;
   std::string where;  ///< "keyframe 2 (line 7 of edit.yaml)", for messages
 };
@@ -59,8 +59,8 @@ struct Script {
   std::vector<TimedEdit> edits;
 };
 
-/// `edit` may be null where there are keyframes. Throws InputError (naming the line) for anything
-/// that is not in the grammar, for two keyframes of one frame, and where nothing is edited.
+/// `edit` may be null if there are keyframes. Throws InputError (naming the line) for anything that
+/// is not in the grammar, for two keyframes of one frame, and if nothing is edited.
 Script read_script(const ConfigNode& edit, const KeyframesOptions& options);
 
 /// Puts a YAML file with the keys `edit` and those of KeyframesOptions into the map `root`, as the

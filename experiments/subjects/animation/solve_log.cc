@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::size_t kMostNotes = 20;  // because each frame of an animation may have others
 
-// Registration is done once, though each report repeats its seconds. A transfer is so short that
-// the other work of the machine would be most of a mean.
+// Registration is done once, and each report repeats its seconds. A transfer is so short that other
+// work of the machine would dominate a mean.
 bool counts_by_the_least(const std::string& phase) {
   return phase == "seconds.sample" || phase == "seconds.embed" || phase == "seconds.connect" ||
          phase == "seconds.transfer";

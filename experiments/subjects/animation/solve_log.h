@@ -7,8 +7,8 @@
 
 namespace deformlab {
 
-/// Gathers the reports of all solves of an animation into those of one run. The notes of each are
-/// logged with the first frame that has them, unless the frame before had them too.
+/// Combines the reports of all solves of an animation into one run. Logs each note with its frame,
+/// unless the frame before had the same note.
 class SolveLog {
  public:
   void add(int frame, const Report& report, double size);  ///< `size` of the shape [length]
@@ -16,10 +16,10 @@ class SolveLog {
   int solves() const { return solves_; }
   const Report& last() const { return last_; }
 
-  /// The metrics are those of the last solve, but for converged, min_det_R, inside_out, iterations,
-  /// handle_rms and handle_max, which are the worst of all; and iterations_mean and solves. The
-  /// seconds are means over the solves, except those of registration, which is done once. Without
-  /// metrics where nothing was solved.
+  /// The metrics are those of the last solve, with iterations_mean and solves. Of converged,
+  /// min_det_R, inside_out, iterations, handle_rms and handle_max they have the worst values of all
+  /// solves. The seconds are means over the solves, except those of registration and transfer,
+  /// which are the least ones. There are no metrics if nothing was solved.
   Run run() const;
 
  private:
@@ -34,7 +34,7 @@ class SolveLog {
   std::vector<std::string> notes_of_last_;
 };
 
-/// For each name, `metrics` keeps the greater (or the smaller) of its own value and the new one.
+/// Each metric keeps the greater (or the smaller) of its old and its new value.
 void keep_greatest(Metrics& metrics, const Metrics& more);
 void keep_least(Metrics& metrics, const Metrics& more);
 

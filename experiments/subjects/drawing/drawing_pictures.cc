@@ -6,7 +6,7 @@ namespace deformlab {
 namespace {
 
 constexpr int kPanelWidth =
-    420;  // [pixel], where picture.width has its default, which is for shapes
+    420;  // replaces the default of picture.width, which is for shapes [pixel]
 
 // The positions of pinned vertices, then of handles, 2×p.
 Eigen::Matrix2Xd handle_positions(const ResolvedEdit& edit, const Eigen::Matrix2Xd& V,

@@ -25,7 +25,7 @@ class DrawingBook : public Book {
 
   /// Shows the drawing at rest with its mesh. Painted triangles are tinted, and handles are dots.
   void add_rest(const PicturedDrawing& pictured);
-  /// V is where the vertices are, 2×#V. `depth` has #F entries, or none.
+  /// Shows the drawing with the vertices at V (2×#V). `depth` has #F entries, or none.
   void add_deformed(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& V,
                     const Eigen::VectorXd& depth, const std::string& caption);
   /// Shows the mesh of step one, 2×#V, and the corners of the triangles that are fitted to it,

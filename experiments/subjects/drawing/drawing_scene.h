@@ -11,7 +11,7 @@ namespace deformlab {
 
 /// The drawing that a config deforms instead of a shape.
 struct DrawingSceneOptions {
-  std::string file;  ///< beside the config, below the working folder, or packaged clip-art
+  std::string file;  ///< beside the config, in the working folder, or packaged clip-art
   DrawingOptions reading;
   TriangulationOptions mesh;
 
@@ -34,15 +34,15 @@ struct DrawingScene {
       weights;  ///< #F, the stiffness of each triangle (Igarashi et al. 2005, section 5.2)
 };
 
-/// Reads and triangulates the drawing of a config in `folder`. Throws InputError where it cannot be
+/// Reads and triangulates the drawing of a config in `folder`. Throws InputError if it cannot be
 /// read or triangulated.
 DrawingScene make_drawing(const DrawingSceneOptions& options, const std::filesystem::path& folder);
 
 /// Paints triangles, which gives them another stiffness. An entry {select: SELECTION, weight: w},
 /// with the selections of an edit, paints the triangles whose corners are all selected. An entry
 /// {mask: FILE.png, weight: w} paints the triangles whose centre lies on a pixel of the mask that
-/// is opaque and darker than half. Where several entries paint a triangle, the last one counts.
-/// Throws InputError where an entry paints nothing, or its weight is not positive.
+/// is opaque and darker than medium grey. If several entries paint a triangle, the last one counts.
+/// Throws InputError if an entry paints nothing, or if its weight is not positive.
 void paint(DrawingScene& scene, const ConfigNode& list);
 
 /// Throws the InputError that `paint` would throw for the list itself.

@@ -146,7 +146,7 @@ class DrawingSubject : public Subject {
   }
 
  private:
-  // Throws InputError, before the work, where the file of a step cannot be written.
+  // Throws InputError if the file of a step cannot be written.
   void check_steps() const {
     if (!arap_) {
       throw InputError("output.steps is true, but only deformer=arap_2d has steps");
@@ -157,7 +157,7 @@ class DrawingSubject : public Subject {
                    {step_path(c.out, "fitted"), "output.steps"}});
   }
 
-  // To bind a drawing to its mesh takes time that a run without a picture saves.
+  // Binds the drawing to its mesh only if it is needed, because this takes time.
   std::shared_ptr<const BoundDrawing> bound() {
     if (!bound_) bound_ = std::make_shared<BoundDrawing>(scene_.drawing, scene_.rest);
     return bound_;

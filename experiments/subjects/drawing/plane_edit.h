@@ -7,14 +7,14 @@ namespace deformlab {
 
 /// Translates the edit of a drawing into that of a shape. Two coordinates become three, `circle`
 /// becomes a sphere, and `rotate: 30` becomes a rotation about the axis that turns x towards y,
-/// which is clockwise in an image. Throws InputError where a point does not have two coordinates.
+/// which is clockwise in an image. Throws InputError if a point does not have two coordinates.
 ConfigNode in_space(const ConfigNode& edit);
 
-/// read_edit for a drawing.
+/// The same as read_edit, for a drawing.
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit);
 
-/// `resolve` for a drawing's mesh at rest. A point that is rotated becomes a rotation handle with a
-/// ring around it, whose radius is 4 % of the drawing's diagonal.
+/// The same as `resolve`, for a drawing's mesh at rest. A point that is rotated becomes a rotation
+/// handle with a ring around it, whose radius is 4 % of the drawing's diagonal.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Triangulation& rest);
 
 }  // namespace deformlab

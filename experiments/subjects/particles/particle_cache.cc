@@ -13,8 +13,8 @@ namespace {
 
 bool is_before(const ParticleRow& a, const ParticleRow& b) { return a.frame < b.frame; }
 
-// Finds the life to sample. Lives that have ended are compared and forgotten, so that only as many
-// are kept as there are particles in a frame.
+// Finds the life to sample. Lives that have ended are compared and removed, so that no more are
+// kept than there are particles in a frame.
 class Longest {
  public:
   explicit Longest(std::optional<std::int64_t> id) : id_(id) {}
@@ -41,7 +41,7 @@ class Longest {
   }
 
  private:
-  // Compares ids too, because the order in which a hash table gives its entries must not matter.
+  // Compares ids too, so that the result does not depend on the order of a hash table.
   static auto merit(const ParticleLife& life) {
     const double way = (life.end - life.begin).norm();
     return std::tuple(life.last - life.first, way > 0 ? way / life.travelled : 0, -life.id);

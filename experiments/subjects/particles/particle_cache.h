@@ -31,7 +31,7 @@ class ParticleSource {
 };
 
 /// A particle cache in a file. If its rows are in the order of frames, they are read when they are
-/// needed, and memory does not grow with their number. Otherwise all are kept in memory.
+/// needed, so that memory does not grow with their number. Otherwise all are kept in memory.
 class ParticleCache : public ParticleSource {
  public:
   /// Reads the whole file once. Throws InputError as ParticleReader does, for a file without rows,
@@ -53,10 +53,10 @@ class ParticleCache : public ParticleSource {
   std::filesystem::path path_;
   FrameRange frames_;
   std::int64_t rows_ = 0;
-  std::vector<ParticleRow> kept_;  // sorted by frame, where the file is not
+  std::vector<ParticleRow> kept_;  // all rows sorted by frame, if the file is not sorted
 };
 
-/// A stretch of frames through which a particle lives.
+/// Consecutive frames in which a particle lives.
 struct ParticleLife {
   std::int64_t id = 0;
   int first = 0, last = 0;
@@ -66,9 +66,8 @@ struct ParticleLife {
 
 /// The life whose path carries the graph. With an `id`, it is the longest life of that particle.
 /// Otherwise, of the particles that live longest, it is the one with the straightest path (the
-/// distance from its begin to its end, over the length of its path), because that one is in the
-/// middle of a stream that swirls. Throws InputError where there is no such particle, or it never
-/// moves.
+/// distance from its begin to its end, over the length of its path), because it is in the middle of
+/// a stream that swirls. Throws InputError if there is no such particle, or if it never moves.
 ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id);
 
 /// m samples of a particle's path at equal intervals of time, 3×m [length]. Between two frames the

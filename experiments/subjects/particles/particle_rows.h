@@ -20,20 +20,20 @@ struct ParticleRow {
   std::int64_t line = 0;              ///< of the file, from 1
 };
 
-/// Reads a particle cache row by row. It is a text with a header that names the columns frame, id,
-/// x, y and z in any order, and may name others. Blank lines are skipped.
+/// Reads a particle cache row by row. It is a text whose header names the columns frame, id, x, y
+/// and z in any order, and may name others. Blank lines are skipped.
 class ParticleReader {
  public:
-  /// Throws InputError where the file cannot be read or its header lacks a column.
+  /// Throws InputError if the file cannot be read or its header lacks a column.
   explicit ParticleReader(const std::filesystem::path& path);
 
-  /// The next row, or nothing at the end. Throws InputError (naming the line) where a row does not
-  /// have as many fields as the header, or one of the five is not a finite number.
+  /// The next row, or nothing at the end. Throws InputError (naming the line) if a row does not
+  /// have as many fields as the header, or if one of the five is not a finite number.
   std::optional<ParticleRow> next();
 
-  /// The text before the last row that `next` gave and after the one before it.
+  /// The text that `next` skipped before its last row, or before the end of the file.
   const std::string& between() const { return between_; }
-  /// The text of that row with other coordinates. All else stays as it was.
+  /// The text of the last row, in which only the coordinates are replaced.
   std::string moved(const Eigen::Vector3d& position) const;
 
  private:

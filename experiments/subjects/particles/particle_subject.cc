@@ -28,8 +28,7 @@ double node_motion(const StreamDeformation& stream) {
   return sum / static_cast<double>(g.cols()) / bounding_box_diagonal(g);
 }
 
-// The middle of the jet lies in the plane y = 0. The tint of one side shows how the stream turns
-// about itself.
+// The middle of the jet lies in the plane y = 0. A tint of one side shows how the stream twists.
 std::vector<int> left_side(const Eigen::Matrix3Xd& particles) {
   std::vector<int> chosen;
   for (int i = 0; i < particles.cols(); ++i) {
@@ -138,8 +137,8 @@ class ParticleSubject : public Subject {
   Metrics least_seconds_;
 };
 
-// The terms of the paper cost nothing where the chain of a path turns about itself, so that
-// smoothness is added. The chain is solved fastest by this linear solver.
+// The terms of the paper do not penalise a twist of the chain of a path, so smoothness is added.
+// The chain is solved fastest by this linear solver.
 void set_defaults(const CommandLine& line, ConfigNode& root) {
   apply_override(root, {"energies.smoothness", "1", "."});
   const bool names_solver = std::ranges::any_of(

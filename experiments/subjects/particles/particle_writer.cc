@@ -30,7 +30,7 @@ void ParticleWriter::write(const Eigen::Vector3d& position) {
 void ParticleWriter::commit() {
   for (const auto position : kept_.colwise()) write(position);
   reader_.next();
-  file_.write(reader_.between());  // what follows the last row
+  file_.write(reader_.between());  // the text after the last row
   file_.commit();
 }
 

@@ -8,19 +8,19 @@
 
 namespace deformlab {
 
-/// Edits particles frame by frame. Selections select nodes along the sampled path, and `point` any
-/// position. The solver runs only in frames where the offsets have changed.
+/// Edits particles frame by frame. Selections select nodes along the sampled path; `point` selects
+/// any position. The solver runs only in frames where the offsets have changed.
 class StreamEditor {
  public:
   /// `path` is the id of the particle whose path is sampled; by default find_path chooses one.
-  /// Throws InputError for options and edits that particles do not take.
+  /// Throws InputError for options and edits that are not possible for particles.
   StreamEditor(const ParticleSource& particles, const Script& script,
                const EmbeddedDeformationOptions& options, std::optional<std::int64_t> path);
 
   /// The edited positions of the particles of a frame, 3×#rows [length].
   Eigen::Matrix3Xd edited(int frame, ParticleFrame rows);
   const Report& report() const { return report_; }  ///< of the last solve
-  /// The seconds of the last frame besides a solve: the weights of its particles, and their
+  /// The seconds of the last frame without a solve: for the weights of its particles, and for their
   /// transfer by Eq. 2.
   struct Seconds {
     double weights = 0, transfer = 0;

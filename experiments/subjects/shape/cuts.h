@@ -9,9 +9,9 @@
 namespace deformlab {
 
 /// Reads the list under `cut:`. Each entry is {between: SELECTION, and: SELECTION} with the
-/// selections of an edit. No node of the graph then influences both parts, and no edge joins them
+/// selections of an edit. Then no node of the graph influences both parts, and no edge joins them
 /// (Sumner et al. 2007, section 6: the stroke between a hand and a leg). Throws InputError (naming
-/// the line) where an entry does not have two selections, or where one selects nothing.
+/// the line) if an entry does not have two selections, or if one selects nothing.
 std::vector<Cut> resolve_cuts(const ConfigNode& list, const Shape& rest);
 
 /// Throws the InputError that resolve_cuts would throw for the list itself.

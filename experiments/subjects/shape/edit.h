@@ -13,7 +13,7 @@
 
 namespace deformlab {
 
-/// Axis-aligned box [length], its boundary included.
+/// An axis-aligned box with its boundary [length].
 struct BoxSelection {
   Eigen::Vector3d min = Eigen::Vector3d::Zero();
   Eigen::Vector3d max = Eigen::Vector3d::Zero();
@@ -24,7 +24,7 @@ struct BoxSelection {
   }
 };
 
-/// Ball [length], its boundary included.
+/// A ball with its boundary [length].
 struct SphereSelection {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0;
@@ -56,7 +56,7 @@ struct Selection {
   }
 };
 
-/// A rotation of the selection, by the right-hand rule.
+/// A rotation of the selection. Its sign follows the right-hand rule.
 struct Turn {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< any length but 0
   double degrees = 0;
@@ -71,7 +71,7 @@ struct Turn {
 };
 
 /// One entry of an edit: a selection and what happens to it. Exactly one of fix, by, to and rotate
-/// is given, or rotate and by: first the rotation, then the translation.
+/// is given, or both rotate and by. Then the rotation comes before the translation.
 struct EditEntry {
   Selection select;
   std::optional<bool> fix;            ///< only ever true
@@ -96,43 +96,43 @@ struct EditEntry {
 /// "[x, y, z]", for messages.
 std::string text_of(const Eigen::Vector3d& p);
 
-/// Reads the list under `edit:`. Throws InputError (naming the line) at anything that is not the
-/// grammar above: no selector or two, no action or two, a negative radius, min > max, a zero axis,
-/// numbers that are not finite, an unreadable file of indices, no entries at all.
+/// Reads the list under `edit:`. Throws InputError (naming the line) for anything that is not in
+/// the grammar above: no selector or two, no action or two, a negative radius, min > max, a zero
+/// axis, numbers that are not finite, a file of indices that cannot be read, or no entries.
 std::vector<EditEntry> read_edit(const ConfigNode& list);
 
-/// Throws InputError where not exactly one selector is given, or where it cannot select anything.
+/// Throws InputError unless exactly one selector is given, and if it cannot select anything.
 void check_selection(const Selection& select, const std::string& where);
 
 /// Puts the list of a YAML file whose only key is `edit` into the map `root`, under that key.
 /// Throws InputError as load_config does, and for another key.
 void put_edit(const std::filesystem::path& path, ConfigNode& root);
 
-/// What an edit means for one shape. Each vertex occurs once, in the order of the entries and
-/// within an entry by index.
+/// The handles and targets of an edit for one shape. Each vertex occurs once. Vertices are in the
+/// order of the entries, and ascend within an entry.
 struct ResolvedEdit {
   Handles handles;
-  Eigen::Matrix3Xd targets;  ///< 3×#: where handles.moved go, then handles.points [length]
+  Eigen::Matrix3Xd targets;  ///< 3×#, of handles.moved and then of handles.points [length]
 };
 
-/// A single point has no orientation. Where one is rotated, a ring of points around it moves with
-/// it, so that the shape there follows the angle however fine its mesh is (Igarashi et al. 2005,
-/// Figure 16).
+/// A single point has no orientation. If one is rotated, a ring of points around it moves with it,
+/// so that the shape follows the angle on a mesh of any resolution (Igarashi et al. 2005, Figure
+/// 16).
 struct Rings {
   double radius = 0;  ///< [length]; 0: there are no rings
   /// Whether a point is in the shape. Only points of a ring that are in the shape are used.
   std::function<bool(const Eigen::Vector3d&)> inside = [](const Eigen::Vector3d&) { return true; };
 };
 
-/// Selects by rest positions. A vertex that several entries move to the same position
-/// counts once. Throws InputError (naming the entries) where an index does not exist, a selection
-/// is empty, a vertex is both fixed and moved or moved to two places, a target is not finite, or
-/// there are no entries.
+/// Selects by rest positions. A vertex that several entries move to the same position counts once.
+/// Throws InputError (naming the entries) if an index does not exist, a selection is empty, a
+/// vertex is both fixed and moved or moved to two positions, a target is not finite, or there are
+/// no entries.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
                      const Rings& rings = {});
 
 /// The vertices of a selection in ascending order, each once. Messages call the selection `where`.
-/// Throws InputError where no vertex is selected, and for `point`, which need not be a vertex.
+/// Throws InputError if no vertex is selected, and for `point`, which need not be a vertex.
 std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
                                  const std::string& where);
 

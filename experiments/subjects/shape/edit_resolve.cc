@@ -94,7 +94,7 @@ Eigen::Matrix3Xd matrix(const std::vector<Eigen::Vector3d>& columns) {
   return result;
 }
 
-/// Gathers the vertices of one entry after another, and finds contradictions between them.
+/// Collects the vertices of the entries, and finds contradictions between entries.
 class Resolver {
  public:
   Resolver(const std::vector<EditEntry>& entries, const Shape& shape, const Rings& rings)
@@ -127,7 +127,7 @@ class Resolver {
     const Eigen::Matrix3Xd P = shape_.V(Eigen::all, selected);
     const Eigen::Isometry3d motion = motion_of(entry, P);
     for (std::size_t k = 0; k < selected.size(); ++k) {
-      const bool exactly = entry.to && selected.size() == 1;  // free of rounding
+      const bool exactly = entry.to && selected.size() == 1;  // avoids rounding errors
       move(selected[k], e, exactly ? *entry.to : Eigen::Vector3d(motion * P.col(k)));
     }
     if (entry.rotate && selected.size() == 1) add_ring(P.col(0), motion, e);
@@ -201,7 +201,7 @@ class Resolver {
   const std::vector<EditEntry>& entries_;
   const Shape& shape_;
   const Rings& rings_;
-  const double same_;        ///< targets that are this close differ only by rounding
+  const double same_;        ///< targets that are this close differ only by rounding errors
   std::vector<int> owner_;   ///< by vertex: the entry that took it first, or -1
   std::vector<int> column_;  ///< by vertex: its column of the targets, or -1
   Handles handles_;

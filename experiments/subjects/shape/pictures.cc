@@ -7,9 +7,8 @@ namespace deformlab {
 namespace {
 
 constexpr double kNodeShare =
-    0.03;  // of a mean edge, so that nodes of a dense graph are drawn smaller
-constexpr std::size_t kMostHandleBalls =
-    60;  // more of them are a region, which a tint shows better
+    0.03;  // part of a mean edge, so that nodes of a dense graph are smaller
+constexpr std::size_t kMostHandleBalls = 60;  // if there are more, a tint shows them better
 
 // Draws a square at each deformed node, which is upright along x at rest, as its R_j deforms it:
 // the quadrilaterals of Sumner et al. 2007, Figure 2.

@@ -13,8 +13,8 @@
 
 namespace deformlab {
 
-/// Collects the panels of shapes: the rest shape, then the deformed shape of each run. Fixed
-/// vertices are tinted; handles, their targets and the graph are drawn.
+/// Collects the panels of shapes: the rest shape, and then the deformed shape of each run. Fixed
+/// vertices are tinted. Handles, their targets and the graph are drawn.
 class PictureBook : public Book {
  public:
   explicit PictureBook(const PictureOptions& options) : options_(options) {}
