@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # benchmark.sh PROGRAM: the benchmark program measures every scenario on the smallest graph, and the
-# growth on small planes. The report and the JSON file have every row, what it was compared with, and
-# the environment. Nothing is required of the times.
+# growth on small planes. The report and the JSON file must have every row, what it was compared
+# with, and the environment. Times may have any value.
 set -euo pipefail
 
 program=$1

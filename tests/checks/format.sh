@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# format.sh ROOT: every .h and .cc that git tracks is as clang-format would write it.
+# format.sh ROOT: checks that clang-format would change no .h and no .cc file that git tracks.
 set -euo pipefail
 
 cd "${1:?usage: format.sh ROOT}"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# headers.sh ROOT BUILD: every header of the layers compiles by itself. BUILD is a folder that was
-# configured by the preset asan; its compile commands name the folders of the libraries.
+# headers.sh ROOT BUILD: checks that every header of the layers compiles by itself. BUILD is a
+# folder that was configured by the preset asan; its compile commands name the folders of the
+# libraries.
 set -euo pipefail
 
 root=${1:?usage: headers.sh ROOT BUILD} build=${2:?usage: headers.sh ROOT BUILD}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# installed_package.sh CMAKE BUILD CONSUMER [SANITIZERS]: installs the library into a new folder and
-# builds and runs a project there that knows nothing but find_package(deformlab).
+# installed_package.sh CMAKE BUILD CONSUMER [SANITIZERS]: installs the library into a new folder,
+# and builds and runs the project CONSUMER, which finds the library only by find_package(deformlab).
 set -euo pipefail
 
 cmake=$1 build=$2 consumer=$3 sanitizers=${4-}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# layering.sh ROOT: geometry <- energies <- solvers <- deformers <- render <- drawing <- experiments.
-# Names each #include of a layer to the right of the file's own layer, each folder with more than 30
-# source files, and each layer without a README.md. Fails if it named anything.
+# layering.sh ROOT: checks geometry <- energies <- solvers <- deformers <- render <- drawing <-
+# experiments. Prints each #include of a layer to the right of the file's own layer, each folder
+# with more than 30 source files, and each layer without a README.md. Fails if it prints anything.
 set -euo pipefail
 
 root=${1:?usage: layering.sh ROOT}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Puts includes into empty folders of the layers' names. layering.sh must accept those that go down and
-# reject those that go up, a folder with too many files, and a layer without a README.md.
+# Puts includes into empty folders of the layers' names. layering.sh must accept those that go down
+# and reject those that go up, a folder with too many files, and a layer without a README.md.
 set -euo pipefail
 
 check=$(dirname -- "${BASH_SOURCE[0]}")/layering.sh

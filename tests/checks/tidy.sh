@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tidy.sh ROOT BUILD [PATTERN]: clang-tidy finds nothing in any file whose path PATTERN matches. BUILD
-# is a folder that was configured by the preset asan.
+# tidy.sh ROOT BUILD [PATTERN]: checks that clang-tidy finds nothing in the files whose path PATTERN
+# matches. BUILD is a folder that was configured by the preset asan.
 set -euo pipefail
 
 root=$(readlink -f -- "${1:?usage: tidy.sh ROOT BUILD [PATTERN]}")
