@@ -34,7 +34,7 @@ constexpr std::string_view name_of() {
 ///   NodeList<State<Node, T>>   any number of nodes, the same number for each element
 /// A term also needs its kName. These members are optional:
 ///   kStructure    what a solver may rely on; nonlinear if the term does not say
-///   kWeight       its weight where a config names none; 0 if the term does not say
+///   kWeight       its weight if a config names none; 0 if the term does not say
 ///   kZeroAtRest, kRigidlyInvariant   laws that hold for the term and that the tests then check
 ///   jacobian      the derivative; without it, the derivative is found by automatic differentiation
 ///   coefficients  the same for a Kronecker term: a of J = aᵀ ⊗ I_d, given the number of nodes

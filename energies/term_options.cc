@@ -25,7 +25,7 @@ std::string shown(const OptionValue& value) {
       value);
 }
 
-// A whole number may stand for a number, and text for a path; nothing else is converted.
+// Converts a whole number to a number, and text to a path, but nothing else.
 bool convert(OptionValue given, OptionValue& value) {
   if (std::holds_alternative<double>(value) && std::holds_alternative<int>(given)) {
     given = static_cast<double>(std::get<int>(given));

@@ -52,16 +52,16 @@ std::vector<std::string> globalization_choices();
 /// The options of a solver. They are the same for every method.
 struct SolverOptions {
   SolverMethod method = SolverMethod::kGaussNewton;
-  /// Of gauss_newton, cholmod factors JᵀJ in each step, as the paper does. eigen_ldlt does the same
+  /// In gauss_newton, cholmod factors JᵀJ in each step, as the paper does. eigen_ldlt does the same
   /// without BLAS. kronecker_cg runs conjugate gradients with one small factorization for a set of
   /// handles as the preconditioner, and is the fastest if most terms have the Kronecker structure.
   /// auto takes kronecker_cg if the terms suit it and the equations are well conditioned, and
   /// cholmod otherwise. ceres has the linear solvers that Ceres Solver documents; there, auto is
   /// sparse_normal_cholesky.
   std::string linear_solver = "auto";
-  /// Of gauss_newton only. none takes full steps, as in the paper; they can increase F. line_search
-  /// halves a step until F decreases. levenberg damps it by λ diag(JᵀJ). accelerated makes
-  /// directions conjugate, interpolates their lengths, and improves poor steps by geodesic
+  /// For gauss_newton only. none takes full steps, as in the paper; they can increase F.
+  /// line_search halves a step until F decreases. levenberg damps it by λ diag(JᵀJ). accelerated
+  /// makes directions conjugate, interpolates their lengths, and improves poor steps by geodesic
   /// acceleration and damping.
   std::string globalization = "accelerated";
   CeresTrustRegion ceres_trust_region = CeresTrustRegion::kLevenbergMarquardt;

@@ -20,13 +20,13 @@ class AtomicFolder {
   AtomicFolder& operator=(const AtomicFolder&) = delete;
 
   const std::filesystem::path& path() const { return temporary_; }
-  /// Throws InputError where the folder cannot be moved to its place.
+  /// Throws InputError if the folder cannot be moved to its place.
   void commit();
 
  private:
   std::filesystem::path target_, temporary_;
   IsOurs is_ours_;
-  std::vector<std::filesystem::path> made_;  ///< missing folders on the way, the deepest first
+  std::vector<std::filesystem::path> made_;  ///< parents that were missing, the deepest first
 };
 
 }  // namespace deformlab

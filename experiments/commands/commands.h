@@ -9,7 +9,7 @@
 namespace deformlab {
 
 /// `deformlab run CONFIG… [key=value]… [--out DIR]`: runs each config, prints its claims, writes
-/// DIR/<config>/ and rewrites DIR/README.md. Returns 1 where a claim falls short, else 0.
+/// DIR/<config>/ and rewrites DIR/README.md. Returns 1 if a claim falls short, else 0.
 int run_command(const std::vector<std::string>& arguments, const std::filesystem::path& out);
 
 /// `deformlab deform FILE --edit EDIT.yaml --out OUT [key=value]…`: one run of a shape or a drawing
@@ -19,7 +19,7 @@ int deform_command(const std::vector<std::string>& arguments, CommandLine line);
 
 /// `deformlab animate --frames PATTERN --edit EDIT.yaml --out PATTERN [key=value]…`, or with
 /// `--particles CACHE.csv` and an --out of one file: one run of an animation that writes its
-/// result. Returns 1 where the solver could not take a step.
+/// result. Returns 1 if the solver could not take a step.
 int animate_command(const std::vector<std::string>& overrides, const std::string& frames,
                     const std::string& particles, CommandLine line);
 

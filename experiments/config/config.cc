@@ -145,7 +145,7 @@ std::size_t read_name(const ConfigNode& node, const std::string& name,
 
 namespace {
 
-// The value of a dotted path such as "parts[1].nodes", or null where the config does not give it.
+// The value of a dotted path such as "parts[1].nodes", or null if the config does not have it.
 const ConfigNode* find_path(const ConfigNode& map, std::string_view path) {
   const ConfigNode* node = &map;
   while (node != nullptr && !path.empty()) {

@@ -89,7 +89,7 @@ Eigen::VectorXi neighbors(const Eigen::Matrix3Xi& T, Eigen::Index count) {
   return result;
 }
 
-// The detail of each vertex in the frame of the base there, 3×#V; zero where there is no frame.
+// The detail of each vertex in the frame of the base, 3×#V; zero for a vertex without a frame.
 Eigen::Matrix3Xd in_frames(const Eigen::Matrix3Xd& V, const Shape& base,
                            const Eigen::VectorXi& neighbor) {
   const Eigen::Matrix3Xd N = vertex_normals(base);

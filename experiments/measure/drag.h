@@ -12,7 +12,7 @@ namespace deformlab {
 /// update that starts from the result of the last one.
 struct DragOptions {
   int steps = 1;      ///< number of updates, in each of which the handles go the same distance
-  bool back = false;  ///< whether they go back to where they began, in as many updates
+  bool back = false;  ///< whether they then return to their start in the same number of updates
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {

@@ -118,7 +118,7 @@ class Image {
   const RangeScanOptions& options_;
   std::mt19937_64& random_;
   Eigen::Quaternionf rotation_;
-  Eigen::ArrayXXf depth_;  // toward the eye; NaN where a ray meets nothing
+  Eigen::ArrayXXf depth_;  // toward the eye; NaN if a ray hits nothing
 };
 
 }  // namespace

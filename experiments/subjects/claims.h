@@ -61,7 +61,7 @@ struct Claim {
   }
 };
 
-/// One run of a sweep as claims see it: its settings and its metrics.
+/// What claims use of one run of a sweep: its settings and its metrics.
 struct MeasuredRun {
   std::vector<std::pair<std::string, std::string>> settings;  ///< dotted key, value as YAML
   Metrics metrics;

@@ -43,7 +43,7 @@ struct Outcome {
   std::vector<Run> runs;
   std::vector<ClaimResult> claims;
   Image picture;
-  std::vector<Image> frames;  ///< the image sequence of an animation, where one is asked for
+  std::vector<Image> frames;  ///< the image sequence of an animation, if one is asked for
 };
 
 /// Called before each run, with its number from 1, the number of runs, and what it sets.

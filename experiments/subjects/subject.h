@@ -36,7 +36,7 @@ class Book {
   virtual ~Book() = default;
   virtual bool empty() const = 0;
   virtual Image render() const = 0;
-  /// The pictures of an image sequence, with panels of `width` [pixel]; empty where there is none.
+  /// The pictures of an image sequence, with panels of `width` [pixel]; empty if there is none.
   virtual std::vector<Image> sequence(int /*width*/) const { return {}; }
 };
 
@@ -120,8 +120,8 @@ const std::vector<SubjectKind>& subject_kinds();
 /// The kind of subject that the options of a config describe.
 const SubjectKind& kind_of(const RunOptions& options);
 
-/// The kind of subject whose file stands on a command line, after `flag` or, where that is empty,
-/// as the first argument. Throws InputError for a flag that no kind has.
+/// The kind of subject whose file is on a command line, after `flag` or, if that is empty, as the
+/// first argument. Throws InputError for a flag that no kind has.
 const SubjectKind& kind_of(const CommandLine& line, std::string_view flag);
 
 /// Logs what a user should know about a report. A command also logs that a solve has not converged.

@@ -207,7 +207,7 @@ void PanelCholesky<Scalar>::subtract(int q, const Panel& panel, Workspace& w) co
   if (to < left.rows) w.next[q] = std::exchange(w.waiting[w.panel_of[row[to]]], q);
 }
 
-// Computes the factor's entries in a panel. Returns false where a pivot is not positive.
+// Computes the factor's entries in a panel. Returns false if a pivot is not positive.
 template <class Scalar>
 bool PanelCholesky<Scalar>::finish(const Panel& panel, Workspace& w) {
   Scalar* value = values_.data() + panel.values;

@@ -13,7 +13,7 @@ namespace deformlab {
 /// output, d = ṽ − v, and Δ the difference to the frame before. Means are root mean squares over
 /// points and frames:
 ///   displacement              of d [length]
-///   displacement_change       Δd over Δv: 0 where the edit is the same in all frames
+///   displacement_change       Δd over Δv: 0 if the edit is the same in all frames
 ///   displacement_change_max   the same of the worst frame, over the mean Δv
 ///   unsteadiness              Δ²d over Δ²v: greater if the edit flickers or jumps
 ///   unsteadiness_max          the same of the worst frame, over the mean Δ²v
