@@ -46,9 +46,9 @@ class DrawingDepth {
   /// About the last update:
   ///   overlap_area             overlapping area, as a part of the drawing's area at rest
   ///   overlap_regions          number of regions in which parts overlap
-  ///   interpenetration         the part of a region in which the sheet is in front that is behind
-  ///                            in most of the region, greatest share of all regions: at most ½, and
-  ///                            0 if one sheet is completely in front in each region
+  ///   interpenetration         the greatest share of a region where the sheet is in front that is
+  ///                            behind in most of the region: at most ½, and 0 if one sheet of each
+  ///                            region is completely in front
   ///   interpenetration_static  the same with the depths of the vertices at rest
   Metrics metrics(const Eigen::Matrix2Xd& V) const;
 
