@@ -21,12 +21,15 @@ struct Report {
   int inside_out = 0;      ///< how many of them have det R < 0
   double handle_rms = 0;   ///< root mean square distance of the handles to their targets [length]
   double handle_max = 0;   ///< the largest such distance [length]
+  int immovable = 0;       ///< handles that follow fixed nodes only and so cannot move
   double length_unit = 1;  ///< one unit of the solver [length]
   /// The time of each phase by its name [s].
   std::map<std::string, double> seconds;
   /// What a user should know, one sentence each: parts without a handle, handles that cannot move,
   /// rules that were applied.
   std::vector<std::string> notes;
+  /// What the edit asked for and the shape does not hold, one sentence each.
+  std::vector<std::string> undone;
 };
 
 /// A method that deforms a rest shape by handles. It works in three phases, each of which costs

@@ -141,6 +141,9 @@ AdaptiveDeformation::AdaptiveDeformation(Shape rest, const EmbeddedDeformationOp
       adaptive_(adaptive),
       cuts_(cuts.begin(), cuts.end()) {
   inside_option("adaptive", [&] { check(options_.graph, adaptive_); });
+  // This method has its own rules for where nodes are and how many.
+  options_.graph.region = NodeRegion::kWhole;
+  options_.graph.fit = false;
   embedded_ =
       std::make_unique<EmbeddedDeformation>(rest_, at_start(options_, adaptive_.start), cuts_);
 }

@@ -43,17 +43,25 @@ std::vector<int> vertices_at(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& 
 
 AnimatedDeformation::AnimatedDeformation(const Shape& pose,
                                          const EmbeddedDeformationOptions& options)
-    : deformation_(on_vertices(pose, options)),
-      node_vertices_(deformation_.graph().g.cols() == std::ssize(deformation_.node_vertices())
-                         ? deformation_.node_vertices()
-                         : vertices_at(deformation_.graph().g, pose.V)) {}
+    : pose_(pose), deformation_(on_vertices(pose, options)) {
+  find_node_vertices();
+}
+
+// The graph may depend on the handles.
+void AnimatedDeformation::find_node_vertices() {
+  const Eigen::Matrix3Xd& g = deformation_.graph().g;
+  const bool known = g.cols() == std::ssize(deformation_.node_vertices());
+  node_vertices_ = known ? deformation_.node_vertices() : vertices_at(g, pose_.V);
+}
 
 void AnimatedDeformation::compile(const Handles& handles) {
   if (handles.points.cols() > 0) {
     throw InputError(
         "a point that is not a vertex does not follow an animation; use vertices as handles");
   }
+  deformation_.repose(pose_, pose_.V(Eigen::all, node_vertices_));
   deformation_.compile(handles);
+  find_node_vertices();
   handles_ = handles;
 }
 

@@ -32,6 +32,9 @@ class AnimatedDeformation {
   const std::vector<int>& node_vertices() const { return node_vertices_; }
 
  private:
+  void find_node_vertices();
+
+  Shape pose_;
   EmbeddedDeformation deformation_;
   std::vector<int> node_vertices_;
   Handles handles_;

@@ -4,12 +4,17 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
+#include "deformers/embedded/harmonic_start.h"
 #include "deformers/embedded/node_states.h"
 #include "deformers/embedded/reflections.h"
 #include "deformers/handle_checks.h"
+#include "energies/graph/constraint.h"
+#include "energies/graph/regularization.h"
 #include "geometry/core/error.h"
 #include "solvers/stopwatch.h"
 
@@ -35,6 +40,26 @@ EmbeddedDeformationOptions checked(const EmbeddedDeformationOptions& options, co
   return options;
 }
 
+// The weight of a term in the problem, or 0.
+template <class Term>
+double weight_of(const Problem& problem) {
+  for (const WeightedEnergy& term : problem.terms) {
+    if (term.energy->name() == Term::kName) return term.weight;
+  }
+  return 0;
+}
+
+int count_inside_out(const Transformations& X) {
+  int count = 0;
+  for (Eigen::Index j = 0; j < X.cols() / 4; ++j) {
+    count += X.middleCols<3>(4 * j).determinant() < 0;
+  }
+  return count;
+}
+
+// NaN stands for what is unknown.
+double larger(double a, double b) { return std::isnan(b) || a > b ? a : b; }
+
 std::unique_ptr<Solver> solver_of(const EmbeddedDeformationOptions& options) {
   return inside_option("solver", [&] { return make_solver(options.solver); });
 }
@@ -43,8 +68,17 @@ std::unique_ptr<Solver> solver_of(const EmbeddedDeformationOptions& options) {
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
-    : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
-  register_graph(inside_option("graph", [&] { return build_graph(rest_, options_.graph, cuts); }));
+    : options_(checked(options, rest)),
+      rest_(std::move(rest)),
+      cuts_(cuts.begin(), cuts.end()),
+      solver_(solver_of(options)) {
+  if (options_.graph.region == NodeRegion::kActive) {
+    check(rest_, "the shape");
+    deformed_ = rest_;
+    return;
+  }
+  register_graph(inside_option("graph", [&] { return build_graph(rest_, options_.graph, cuts_); }));
+  compile({});
 }
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nodes,
@@ -53,6 +87,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
   register_graph(
       inside_option("graph", [&] { return build_graph(rest_, nodes, options_.graph, cuts); }));
+  compile({});
 }
 
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
@@ -60,12 +95,14 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
   register_graph(
       inside_option("graph", [&] { return build_graph(rest_, std::move(graph), options_.graph); }));
+  compile({});
 }
 
 void EmbeddedDeformation::register_graph(BuiltGraph built) {
   graph_ = std::move(built.graph);
   embedding_ = std::move(built.embedding);
   node_vertices_ = std::move(built.node_vertices);
+  active_ = std::move(built.active);
   in_space_ = built.in_space;
   registration_notes_ = std::move(built.notes);
   seconds_ = std::move(built.seconds);
@@ -74,12 +111,20 @@ void EmbeddedDeformation::register_graph(BuiltGraph built) {
   problem_.x = rest_states(m);
   problem_.fixed.assign(m, 0);
   deformed_ = rest_;
-  compile({});
+  at_rest_ = true;
+}
+
+void EmbeddedDeformation::build_active_graph(const Handles& handles) {
+  if (built_for_ == handles.fixed) return;
+  register_graph(inside_option(
+      "graph", [&] { return build_graph(rest_, options_.graph, cuts_, handles.fixed); }));
+  built_for_ = handles.fixed;
 }
 
 void EmbeddedDeformation::reset() {
   problem_.x = rest_states(problem_.x.nodes());
   deformed_ = rest_;
+  at_rest_ = true;
 }
 
 void EmbeddedDeformation::repose(const Shape& rest, const Eigen::Matrix3Xd& nodes) {
@@ -109,6 +154,7 @@ void EmbeddedDeformation::begin_at(const Transformations& X) {
                                  graph_.g.cols()));
   }
   set_transformations(X, options_.node_model(), unit_, problem_.fixed, problem_.x);
+  at_rest_ = false;
   transfer(transformations());
 }
 
@@ -120,17 +166,34 @@ void EmbeddedDeformation::transfer(const Transformations& X) {
 }
 
 Eigen::Matrix3Xd EmbeddedDeformation::points(const Transformations& X) const {
-  return transfer_positions(X, graph_.g, handles_).rightCols(points_);
+  return transfer_positions(X, graph_.g, handles_).middleCols(moved_ - points_, points_);
 }
 
-// Sumner et al. 2007, Eq. 9: R_q = I, t_q = 0 for every node that influences a fixed vertex.
-void EmbeddedDeformation::fix_nodes(const Handles& handles) {
-  std::fill(problem_.fixed.begin(), problem_.fixed.end(), 0);
-  for (const int i : handles.fixed) {
-    for (Eigen::Index a = 0; a < embedding_.nodes.rows(); ++a) {
-      if (embedding_.weights(a, i) > 0) problem_.fixed[embedding_.nodes(a, i)] = 1;
+// Sumner et al. 2007, Eq. 9: R_q = I, t_q = 0 for every node that influences a fixed vertex. At a
+// soft border the node must also influence nothing else.
+std::vector<char> EmbeddedDeformation::nodes_to_fix(const Handles& handles) const {
+  std::vector<char> fixed(problem_.fixed.size(), 0);
+  const auto mark = [&](const Embedding& of, Eigen::Index column, char value) {
+    for (Eigen::Index a = 0; a < of.nodes.rows(); ++a) {
+      if (of.weights(a, column) > 0) fixed[of.nodes(a, column)] = value;
     }
+  };
+  std::vector<char> is_free(static_cast<std::size_t>(rest_.V.cols()), 1);
+  for (const int i : handles.fixed) is_free[i] = 0;
+  for (const int i : handles.fixed) {
+    const bool is_embedded = active_.empty() || std::ranges::binary_search(active_, i);
+    if (is_embedded) mark(embedding_, i, 1);
   }
+  if (options_.border == Border::kEliminate) return fixed;
+  for (Eigen::Index i = 0; i < rest_.V.cols(); ++i) {
+    if (is_free[i]) mark(embedding_, i, 0);
+  }
+  for (Eigen::Index l = moved_ - points_; l < moved_; ++l) mark(handles_, l, 0);
+  return fixed;
+}
+
+void EmbeddedDeformation::fix_nodes(const Handles& handles) {
+  problem_.fixed = nodes_to_fix(handles);
   const Eigen::MatrixXd rest = rest_states(1).X;
   for (int j = 0; j < problem_.x.nodes(); ++j) {
     const int first = problem_.x.first[j], columns = problem_.x.columns(j);
@@ -138,16 +201,37 @@ void EmbeddedDeformation::fix_nodes(const Handles& handles) {
   }
 }
 
+void EmbeddedDeformation::embed_handles(const Handles& handles) {
+  points_ = handles.points.cols();
+  moved_ = handles.targets();
+  rotations_ = handles.rotations;
+  groups_ = handles.groups;
+  const auto embedded_points = [&] {
+    if (in_space_) return embed(handles.points, graph_.g, options_.graph.neighbors);
+    if (active_.empty()) return embed_at_vertices(handles.points, embedding_);
+    return embed_at_vertices(handles.points, subset(embedding_, active_));
+  };
+  handles_ = joined(subset(embedding_, handles.moved), embedded_points());
+  fix_nodes(handles);
+  if (options_.border == Border::kEliminate) return;
+  std::vector<int> border;
+  for (const int i : handles.fixed) {
+    const bool is_embedded = active_.empty() || std::ranges::binary_search(active_, i);
+    if (is_embedded && influence_of_free(embedding_, i, problem_.fixed) > 0) border.push_back(i);
+  }
+  handles_ = joined(handles_, subset(embedding_, border));
+}
+
 void EmbeddedDeformation::pin_components() {
   Pins pins = pin_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), problem_.fixed);
   at_one_point_ = std::move(pins.at_one_point);
   compilation_notes_ = std::move(pins.notes);
-  const int immovable = count_immovable(handles_, problem_.fixed);
-  if (immovable == 0) return;
+  immovable_ = count_immovable(handles_, moved_, problem_.fixed);
+  if (immovable_ == 0) return;
   compilation_notes_.push_back(
       fmt::format("handles that follow fixed nodes only and so cannot move: {}; fix fewer vertices "
                   "or use more nodes",
-                  immovable));
+                  immovable_));
 }
 
 void EmbeddedDeformation::make_terms() {
@@ -166,15 +250,35 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
   check_handles(handles, rest_.V.cols());
+  if (options_.graph.region == NodeRegion::kActive) build_active_graph(handles);
   fixed_ = handles.fixed;
-  points_ = handles.points.cols();
-  handles_ = joined(subset(embedding_, handles.moved),
-                    in_space_ ? embed(handles.points, graph_.g, options_.graph.neighbors)
-                              : embed_at_vertices(handles.points, embedding_));
-  fix_nodes(handles);
+  embed_handles(handles);
   pin_components();
   make_terms();
   solver_->compile(problem_);
+}
+
+// Chooses where the solve starts that follows.
+void EmbeddedDeformation::begin(const Eigen::Matrix3Xd& targets) {
+  if (at_rest_ && options_.start == Start::kHarmonic && begin_harmonic(targets)) return;
+  translate_pinned(targets);
+}
+
+bool EmbeddedDeformation::begin_harmonic(const Eigen::Matrix3Xd& targets) {
+  const double w_reg = weight_of<Regularization<>>(problem_);
+  const double w_con = weight_of<Constraint<>>(problem_);
+  if (!(w_reg > 0 && w_con > 0)) return false;
+  const Eigen::Index border = handles_.v.cols() - moved_;
+  Eigen::Matrix3Xd rotations = Eigen::Matrix3Xd::Zero(3, handles_.v.cols());
+  rotations.leftCols(moved_) =
+      handle_rotations(handles_.v.leftCols(moved_), targets.leftCols(moved_), rotations_, groups_);
+  rotations.rightCols(border).setZero();
+  if (options_.dimension == 2) rotations.topRows(2) *= 0;  // what is unknown stays NaN
+  const auto X =
+      harmonic_start({graph_, handles_, problem_.fixed, w_reg, w_con}, rotations, targets);
+  if (!X) return false;
+  set_transformations(*X, options_.node_model(), unit_, problem_.fixed, problem_.x);
+  return true;
 }
 
 // A component that is pinned at one point may rotate about it at no cost. It starts at the
@@ -197,11 +301,12 @@ void EmbeddedDeformation::measure(const Transformations& X, const Eigen::Matrix3
   report.length_unit = unit_;
   report.min_det_R = std::numeric_limits<double>::infinity();
   for (Eigen::Index j = 0; j < graph_.g.cols(); ++j) {
-    const double det = X.middleCols<3>(4 * j).determinant();
-    report.min_det_R = std::min(report.min_det_R, det);
-    report.inside_out += det < 0;
+    report.min_det_R = std::min(report.min_det_R, X.middleCols<3>(4 * j).determinant());
   }
-  measure_handles(transfer_positions(X, graph_.g, handles_), targets, report);
+  report.inside_out = count_inside_out(X);
+  measure_handles(transfer_positions(X, graph_.g, handles_).leftCols(moved_), targets, report);
+  report.immovable = immovable_;
+  find_lost_turns(X, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = report.solve.seconds["total"];
 }
@@ -222,13 +327,71 @@ void EmbeddedDeformation::add_notes(Report& report) const {
   report.notes = std::move(notes);
 }
 
+void EmbeddedDeformation::set_constraint_weight(double weight) {
+  for (WeightedEnergy& term : problem_.terms) {
+    if (term.energy->name() == Constraint<>::kName) term.weight = weight;
+  }
+  solver_->compile(problem_);
+}
+
+// Handles that are nearer to the fixed part than nodes are can tear the shape. A smaller weight of
+// E_con lets them give way.
+void EmbeddedDeformation::relax(const Eigen::Matrix3Xd& targets, Report& report) {
+  const double weight = weight_of<Constraint<>>(problem_);
+  const auto count = [&] { return count_inside_out(transformations()); };
+  const int before = count();
+  if (!(options_.relaxed_constraint > 0 && options_.relaxed_constraint < weight && before > 0)) {
+    return;
+  }
+  const Unknowns first = problem_.x;
+  problem_.x = rest_states(first.nodes());
+  at_rest_ = true;
+  set_constraint_weight(options_.relaxed_constraint);
+  begin(targets);
+  Summary relaxed = solver_->solve(problem_);
+  set_constraint_weight(weight);
+  if (const int after = count(); after < before) {
+    report.solve = std::move(relaxed);
+    report.notes.push_back(fmt::format(
+        "handles hold less, with a weight of {:g} instead of {:g}, because {} nodes were inside "
+        "out; now {} are",
+        options_.relaxed_constraint, weight, before, after));
+  } else {
+    problem_.x = first;
+  }
+}
+
+// A region that should turn by more than a half turn may have unwound.
+void EmbeddedDeformation::find_lost_turns(const Transformations& X, Report& report) const {
+  const double most = rotations_.cols() == 0 ? 0 : rotations_.colwise().norm().redux(larger);
+  if (!(most > 1.01 * std::numbers::pi)) return;
+  std::vector<char> at_rest = problem_.fixed;
+  for (Eigen::Index l = moved_; l < handles_.v.cols(); ++l) at_rest[handles_.nodes(0, l)] = 1;
+  const Eigen::Matrix3Xd omega = unwound_rotations(graph_, X, at_rest);
+  double lost = 0;
+  for (Eigen::Index l = 0; l < moved_; ++l) {
+    const double off = (omega.col(handles_.nodes(0, l)) - rotations_.col(l)).norm();
+    if (off > std::numbers::pi) lost = std::max(lost, rotations_.col(l).norm());
+  }
+  if (lost == 0) return;
+  report.undone.push_back(fmt::format(
+      "the shape does not hold a turn of {:.0f} degrees: it unwinds by a full turn (360 degrees); "
+      "turn the region less, or take its middle along with handles of its own",
+      lost * 180 / std::numbers::pi));
+}
+
 Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
-  check_targets(targets, handles_.v.cols());
+  if (graph_.g.cols() == 0) compile({});
+  check_targets(targets, moved_);
   Report report;
-  const Eigen::MatrixXd in_units = targets.topRows(options_.dimension) / unit_;
+  Eigen::Matrix3Xd all(3, handles_.v.cols());
+  all << targets, handles_.v.rightCols(handles_.v.cols() - moved_);
+  const Eigen::MatrixXd in_units = all.topRows(options_.dimension) / unit_;
   for (const WeightedEnergy& term : problem_.terms) term.energy->set_targets(in_units);
-  translate_pinned(targets);
+  begin(all);
   report.solve = solver_->solve(problem_);
+  relax(all, report);
+  at_rest_ = false;
   if (options_.reflections == Reflections::kRepair && options_.node_model() == NodeModel::kAffine) {
     repair_reflections(problem_, graph_, handles_, *solver_, options_.solver, report);
   }

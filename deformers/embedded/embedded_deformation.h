@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -17,8 +18,10 @@ namespace deformlab {
 /// Embedded Deformation for Shape Manipulation (Sumner, Schmid, Pauly 2007).
 class EmbeddedDeformation final : public Deformer {
  public:
-  /// Builds the graph, in which parts that `cuts` separate do not influence each other. Throws
-  /// InputError for options and cuts that are out of range or do not fit the shape.
+  /// Builds the graph, in which parts that `cuts` separate do not influence each other. With
+  /// graph.region "active" the graph depends on what is fixed: `compile` builds it then, and again
+  /// whenever other vertices are fixed, and the transformations begin at rest. Throws InputError
+  /// for options and cuts that are out of range or do not fit the shape.
   EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
                       std::span<const Cut> cuts = {});
   /// Builds the edges and weights for nodes that are given (3×m) [length].
@@ -55,20 +58,38 @@ class EmbeddedDeformation final : public Deformer {
 
  private:
   void register_graph(BuiltGraph built);
+  void build_active_graph(const Handles& handles);
   Unknowns rest_states(int m) const;
+  std::vector<char> nodes_to_fix(const Handles& handles) const;
   void fix_nodes(const Handles& handles);
+  void embed_handles(const Handles& handles);
   void pin_components();
   void make_terms();
   void transfer(const Transformations& X);
   void translate_pinned(const Eigen::Matrix3Xd& targets);
+  void begin(const Eigen::Matrix3Xd& targets);
+  bool begin_harmonic(const Eigen::Matrix3Xd& targets);
+  void set_constraint_weight(double weight);
+  void relax(const Eigen::Matrix3Xd& targets, Report& report);
+  void find_lost_turns(const Transformations& X, Report& report) const;
   void measure(const Transformations& X, const Eigen::Matrix3Xd& targets, Report& report) const;
   void add_notes(Report& report) const;
 
   EmbeddedDeformationOptions options_;
   Shape rest_, deformed_;
-  Embedding embedding_, handles_;  // of the whole shape, and of the handles that move [length]
-  std::vector<int> fixed_;         // vertices
-  Eigen::Index points_ = 0;        // the number of points, which are the last columns of handles_
+  std::vector<Cut> cuts_;  // for the graph of the active part, which is built when it is known
+  std::optional<std::vector<int>> built_for_;  // the fixed vertices that its graph is for
+  std::vector<int> active_;                    // the vertices that follow the graph; empty: all
+  Embedding embedding_;                        // of the whole shape [length]
+  // The handles that the user moves, of which the last are points, and then the fixed vertices that
+  // a soft border holds [length].
+  Embedding handles_;
+  Eigen::Index moved_ = 0, points_ = 0;
+  Eigen::Matrix3Xd rotations_;  // as in Handles
+  std::vector<int> groups_;
+  std::vector<int> fixed_;  // vertices
+  int immovable_ = 0;
+  bool at_rest_ = true;  // no solve has changed the transformations yet
   DeformationGraph graph_;
   std::vector<int> node_vertices_;
   bool in_space_ = true;  // a point can be embedded by its position alone

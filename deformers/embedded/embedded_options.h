@@ -41,7 +41,27 @@ constexpr auto names_of(RotationModel) {
   return std::to_array<EnumName<RotationModel>>({{kAffine, "affine"}, {kRigid, "rigid"}});
 }
 
-/// The options of embedded deformation.
+/// What happens to the nodes at the border of the fixed part. kEliminate: every node that
+/// influences a fixed vertex stays at rest, as in the paper (Eq. 9). kSoft: only nodes that
+/// influence no free vertex stay at rest. At the others, the fixed vertices are handles that stay
+/// where they are, so that free vertices beside the fixed part can move. After a solve they are
+/// exactly at rest too.
+enum class Border { kEliminate, kSoft };
+constexpr auto names_of(Border) {
+  using enum Border;
+  return std::to_array<EnumName<Border>>({{kEliminate, "eliminate"}, {kSoft, "soft"}});
+}
+
+/// Where a solve begins that follows no other: at rest, or at rotations and translations that the
+/// handles' motions give to all nodes (deformers/embedded/harmonic_start.h).
+enum class Start { kRest, kHarmonic };
+constexpr auto names_of(Start) {
+  using enum Start;
+  return std::to_array<EnumName<Start>>({{kRest, "rest"}, {kHarmonic, "harmonic"}});
+}
+
+/// The options of embedded deformation. These defaults are those of Sumner et al. 2007;
+/// preset_options (deformers/embedded/presets.h) gives those that suit most shapes and edits.
 struct EmbeddedDeformationOptions {
   GraphOptions graph;
   /// The weight and options of each term by its name. A term that is not named has its defaults.
@@ -60,6 +80,11 @@ struct EmbeddedDeformationOptions {
   int dimension = 3;
   Reflections reflections = Reflections::kReport;
   RotationModel rotation_model = RotationModel::kAffine;
+  Border border = Border::kEliminate;
+  Start start = Start::kRest;
+  /// The weight of E_con with which a solve is repeated, from the start, if nodes end inside out.
+  /// Handles that are nearer to the fixed part than nodes are then give way. 0: it is not repeated.
+  double relaxed_constraint = 0;
   SolverOptions solver;
   int transfer_threads = 1;
 
@@ -87,6 +112,15 @@ struct EmbeddedDeformationOptions {
     visit("rotation_model", o.rotation_model,
           "The unknowns of a node: a matrix R_j and t_j, or a rotation vector and t_j, for which "
           "E_rot vanishes");
+    visit("border", o.border,
+          "The nodes at the border of the fixed part: eliminate all that influence a fixed vertex "
+          "(Eq. 9), or only those that influence no other, and hold the rest by handles");
+    visit("start", o.start,
+          "Where the first solve begins: at rest, or at rotations and translations that the "
+          "handles' motions give to all nodes");
+    visit.range("relaxed_constraint", o.relaxed_constraint, {.min = 0},
+                "The weight of E_con with which a solve is repeated if nodes end inside out; 0: it "
+                "is not repeated");
     visit("solver", o.solver, "The solver that minimises the energy");
     visit.range("transfer_threads", o.transfer_threads, {.min = 1, .max = 1024},
                 "The number of threads that move the vertices after a solve. It does not change "

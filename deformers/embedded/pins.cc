@@ -105,16 +105,19 @@ Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles
   return pins;
 }
 
-int count_immovable(const Embedding& handles, const std::vector<char>& fixed) {
-  int count = 0;
-  for (Eigen::Index l = 0; l < handles.v.cols(); ++l) {
-    bool movable = false;
-    for (Eigen::Index a = 0; a < handles.nodes.rows(); ++a) {
-      movable |= handles.weights(a, l) > 0 && fixed[handles.nodes(a, l)] == 0;
-    }
-    count += !movable;
+double influence_of_free(const Embedding& embedding, Eigen::Index column,
+                         const std::vector<char>& fixed) {
+  double sum = 0;
+  for (Eigen::Index a = 0; a < embedding.nodes.rows(); ++a) {
+    if (!fixed[embedding.nodes(a, column)]) sum += embedding.weights(a, column);
   }
-  return count;
+  return sum;
+}
+
+int count_immovable(const Embedding& handles, Eigen::Index count, const std::vector<char>& fixed) {
+  int immovable = 0;
+  for (Eigen::Index l = 0; l < count; ++l) immovable += !(influence_of_free(handles, l, fixed) > 0);
+  return immovable;
 }
 
 }  // namespace deformlab

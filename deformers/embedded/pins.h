@@ -28,7 +28,11 @@ struct Pins {
 Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles, double extent,
                          std::vector<char>& fixed);
 
-/// The number of handles that follow fixed nodes only and so cannot move.
-int count_immovable(const Embedding& handles, const std::vector<char>& fixed);
+/// The weights with which a column of an embedding follows nodes that are not fixed, in sum.
+double influence_of_free(const Embedding& embedding, Eigen::Index column,
+                         const std::vector<char>& fixed);
+
+/// How many of the first `count` handles follow fixed nodes only and so cannot move.
+int count_immovable(const Embedding& handles, Eigen::Index count, const std::vector<char>& fixed);
 
 }  // namespace deformlab

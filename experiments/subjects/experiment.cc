@@ -34,7 +34,9 @@ void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& s
 }
 
 ExperimentConfig read(const ConfigNode& root) {
-  auto config = read_config<ExperimentConfig>(root);
+  ExperimentConfig config;
+  begin_with_preset(root, config.run.method);
+  read_value(root, "", config);
   complete_energies(root, config.run.method.deformation);
   return config;
 }

@@ -10,6 +10,7 @@
 #include "deformers/baselines/rbf_deformation.h"
 #include "deformers/embedded/adaptive_deformation.h"
 #include "deformers/embedded/embedded_deformation.h"
+#include "deformers/embedded/presets.h"
 #include "experiments/subjects/drawing/drawing_scene.h"
 
 namespace deformlab {
@@ -30,7 +31,9 @@ constexpr auto names_of(DeformerKind) {
 /// stand at the top of a config, those of the others under the method's name.
 struct MethodOptions {
   DeformerKind deformer = DeformerKind::kAuto;
-  EmbeddedDeformationOptions deformation;
+  /// A config names it, and its other keys change single options.
+  Preset preset = Preset::kDefault;
+  EmbeddedDeformationOptions deformation = preset_options();
   AdaptiveOptions adaptive;
   Arap2dOptions arap_2d;
   RbfOptions rbf;
@@ -42,6 +45,9 @@ struct MethodOptions {
     visit("deformer", o.deformer,
           "The method that deforms; auto takes embedded_deformation for a shape and arap_2d for a "
           "drawing");
+    visit("preset", o.preset,
+          "The options of embedded deformation from which the other keys differ: those that suit "
+          "most shapes and edits, or those of Sumner et al. 2007");
     EmbeddedDeformationOptions::fields(o.deformation, visit);
     visit(
         "adaptive", o.adaptive,

@@ -8,6 +8,13 @@
 
 namespace deformlab {
 
+void begin_with_preset(const ConfigNode& root, MethodOptions& options) {
+  const ConfigNode* preset = root.find("preset");
+  if (preset == nullptr) return;
+  read_value(*preset, "preset", options.preset);
+  options.deformation = preset_options(options.preset);
+}
+
 void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& options) {
   std::vector<std::string> names;
   for (const EnergyInfo& info : known_energies()) {
@@ -21,7 +28,9 @@ void complete_energies(const ConfigNode& root, EmbeddedDeformationOptions& optio
 }
 
 RunOptions read_run_options(const ConfigNode& root) {
-  auto options = read_config<RunOptions>(root);
+  RunOptions options;
+  begin_with_preset(root, options.method);
+  read_value(root, "", options);
   complete_energies(root, options.method.deformation);
   return options;
 }

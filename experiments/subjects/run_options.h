@@ -53,6 +53,10 @@ struct RunOptions {
 /// does, and for the name of an energy that does not exist.
 RunOptions read_run_options(const ConfigNode& root);
 
+/// Sets the options of embedded deformation to the preset that `root` names, before its other keys
+/// are read. Throws InputError for another name.
+void begin_with_preset(const ConfigNode& root, MethodOptions& options);
+
 /// Completes the options that were read from `root`: adds the default weights of the energies that
 /// `root` does not name. Throws InputError for a key below `energies` or `losses` that is not the
 /// name of an energy.

@@ -29,13 +29,25 @@ constexpr auto names_of(NodePlacement) {
 }
 
 /// How far a node is from a vertex: straight, as in the paper; along the surface of a manifold
-/// mesh, by the heat method; or along the edges of any mesh, which is many times faster on large
-/// ones.
-enum class NodeDistance { kEuclidean, kGeodesic, kEdgePaths };
+/// mesh, by the heat method; along the edges of any mesh, which is many times faster on large ones;
+/// or straight where the surface is nearly flat and along the edges where it goes a long way round
+/// (geometry/transfer/path_aware.h).
+enum class NodeDistance { kEuclidean, kGeodesic, kEdgePaths, kPathAware };
 constexpr auto names_of(NodeDistance) {
   using enum NodeDistance;
-  return std::to_array<EnumName<NodeDistance>>(
-      {{kEuclidean, "euclidean"}, {kGeodesic, "geodesic"}, {kEdgePaths, "edge_paths"}});
+  return std::to_array<EnumName<NodeDistance>>({{kEuclidean, "euclidean"},
+                                                {kGeodesic, "geodesic"},
+                                                {kEdgePaths, "edge_paths"},
+                                                {kPathAware, "path_aware"}});
+}
+
+/// Where nodes are placed: over the whole shape, or only where an edit can move something. The
+/// active part is what is not fixed, and a margin of the fixed part around it. Fixed vertices that
+/// are farther away are not embedded.
+enum class NodeRegion { kWhole, kActive };
+constexpr auto names_of(NodeRegion) {
+  using enum NodeRegion;
+  return std::to_array<EnumName<NodeRegion>>({{kWhole, "whole"}, {kActive, "active"}});
 }
 
 /// The weight α_jk of an edge in Eq. 7: 1, as in the paper; in proportion to the overlap of
@@ -51,7 +63,13 @@ constexpr auto names_of(EdgeWeights) {
 /// How a deformation graph is made (Sumner et al. 2007, section 3).
 struct GraphOptions {
   NodePlacement method = NodePlacement::kSampling;
-  int nodes = 300;             ///< m, met exactly; a file has its own number
+  int nodes = 300;  ///< m, met exactly unless `fit` is set; a file has its own number
+  /// Fits the graph to the shape. It has at most `nodes` nodes, and at most a quarter of the number
+  /// of vertices (but at least 50, if there are so many vertices). Vertices without a face get
+  /// nodes as well. Nodes that no vertex follows are left out. Nodes whose vertices an edge of the
+  /// shape joins are joined, so that the graph of a connected part is connected.
+  bool fit = false;
+  NodeRegion region = NodeRegion::kWhole;
   std::filesystem::path file;  ///< of nodes and edges: an OBJ file of v and l lines
   double aspect_ratio = 3;     ///< circumradius over twice the inradius of simplified triangles
   NodeDistance distance = NodeDistance::kEuclidean;
@@ -65,14 +83,22 @@ struct GraphOptions {
           "How nodes are placed: spread over the shape, by simplifying its mesh, on a regular grid "
           "over a flat shape, or as a file says");
     visit.range("nodes", o.nodes, kNodeRange,
-                "The number of nodes of the graph, which is met exactly");
+                "The number of nodes of the graph, which is met exactly unless fit is true");
+    visit("fit", o.fit,
+          "Whether the graph fits itself to the shape: no more nodes than a quarter of its "
+          "vertices, nodes for points without faces too, none that no vertex follows, and a "
+          "connected graph for every connected part");
+    visit("region", o.region,
+          "Where nodes are placed: over the whole shape, or only in the part that an edit can move "
+          "and a margin around it");
     visit("file", o.file, "An OBJ file with the nodes (v lines) and edges (l lines) of the graph");
     visit.range("aspect_ratio", o.aspect_ratio, {.min = 1},
                 "The greatest aspect ratio of a triangle that simplification may make; that of an "
                 "equilateral triangle is 1");
     visit("distance", o.distance,
           "How the distance of a node and a vertex is measured: straight, along the surface of a "
-          "manifold mesh, or along the edges of any mesh (faster)");
+          "manifold mesh, along the edges of any mesh (faster), or straight unless the way along "
+          "the edges is much longer");
     visit.range("neighbors", o.neighbors, kNeighborRange,
                 "The number of nodes that each vertex follows, k in Eq. 4 of Sumner et al. 2007");
     visit(

@@ -8,7 +8,9 @@
 #include <set>
 #include <utility>
 
+#include "geometry/graph/active_part.h"
 #include "geometry/graph/graph_file.h"
+#include "geometry/graph/graph_fit.h"
 #include "geometry/graph/graph_grid.h"
 #include "geometry/graph/graph_simplification.h"
 #include "geometry/graph/graph_vertices.h"
@@ -48,6 +50,7 @@ void check_file(const GraphOptions& options) {
 }
 
 Placed place(const Shape& shape, const GraphOptions& options) {
+  const int m = options.fit ? fitting_nodes(shape, options.nodes) : options.nodes;
   const auto at = [&](const std::vector<int>& vertices) {
     return Placed{shape.V(Eigen::all, vertices), vertices};
   };
@@ -55,15 +58,15 @@ Placed place(const Shape& shape, const GraphOptions& options) {
     case NodePlacement::kSampling:
       break;
     case NodePlacement::kSimplification:
-      return at(simplify(shape, options.nodes, options.aspect_ratio).vertices);
+      return at(simplify(shape, m, options.aspect_ratio).vertices);
     case NodePlacement::kGrid:
-      return at(grid_nodes(shape, options.nodes));
+      return at(grid_nodes(shape, m));
     case NodePlacement::kFile: {
       DeformationGraph graph = read_graph(options.file);
       return {std::move(graph.g), {}, std::move(graph.edges)};
     }
   }
-  const Eigen::Matrix3Xd g = sample_nodes(shape, options.nodes, options.seed);
+  const Eigen::Matrix3Xd g = sample_nodes(shape, m, options.seed, options.fit);
   if (options.distance == NodeDistance::kEuclidean) return {g};
   return at(distinct_nearest_vertices(g, shape.V));
 }
@@ -91,6 +94,7 @@ class Builder {
     VertexEmbedding embedded = timed(built_.seconds["embed"], [&] { return embed(placed); });
     built_.in_space = embedded.followed.empty();
     built_.graph = timed(built_.seconds["connect"], [&] { return join(placed, embedded); });
+    if (options_.fit) leave_out_idle_nodes(built_, embedded.embedding);
     note(embedded);
     built_.embedding = std::move(embedded.embedding);
     return std::move(built_);
@@ -111,8 +115,11 @@ class Builder {
     DeformationGraph graph =
         connect(placed.g, embedded.embedding, options_.alpha, embedded.followed);
     if (placed.edges) take(*placed.edges, graph);
+    const bool joined =
+        options_.fit && !placed.edges && join_along_surface(shape_, embedded.embedding, graph);
     if (!cuts_.empty()) cut(graph);
-    const bool changed = placed.edges || !cuts_.empty();
+    if (joined && options_.alpha == EdgeWeights::kLength) weigh_by_length(graph);
+    const bool changed = placed.edges || !cuts_.empty() || joined;
     if (changed && options_.alpha != EdgeWeights::kUniform) normalize_weights(graph);
     return graph;
   }
@@ -182,17 +189,36 @@ class Builder {
   BuiltGraph built_;
 };
 
-}  // namespace
-
-BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts) {
-  check_options(options);
-  check_file(options);
-  check(shape, "the shape");
+BuiltGraph build_whole(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts) {
   double seconds = 0;
   const Placed placed = timed(seconds, [&] { return place(shape, options); });
   BuiltGraph built = Builder(shape, options, cuts).run(placed);
   built.seconds["sample"] = seconds;
   return built;
+}
+
+BuiltGraph build_active(const Shape& shape, const ActivePart& part, const GraphOptions& options,
+                        std::span<const Cut> cuts) {
+  BuiltGraph built = build_whole(part.shape, options, cuts_of(part, cuts, shape.V.cols()));
+  built.embedding = embedding_of_whole(part, built.embedding, shape.V);
+  for (int& i : built.node_vertices) i = part.vertices[i];
+  built.active = part.vertices;
+  return built;
+}
+
+}  // namespace
+
+BuiltGraph build_graph(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts,
+                       std::span<const int> fixed) {
+  check_options(options);
+  check_file(options);
+  check(shape, "the shape");
+  if (options.region == NodeRegion::kWhole || fixed.empty()) {
+    return build_whole(shape, options, cuts);
+  }
+  const ActivePart part = active_part(shape, fixed, options.nodes);
+  if (part.is_whole(shape)) return build_whole(shape, options, cuts);
+  return build_active(shape, part, options, cuts);
 }
 
 BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,

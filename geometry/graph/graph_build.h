@@ -19,6 +19,7 @@ struct BuiltGraph {
   /// The vertex that each node sits on. For nodes that sit on none: the vertex nearest to each node
   /// where cuts or distances along a surface need it, and otherwise nothing.
   std::vector<int> node_vertices;
+  std::vector<int> active{};  ///< the vertices that are embedded, ascending; empty if all are
   bool in_space = true;  ///< distances are straight and there is no cut: any point can be embedded
   std::vector<std::string> notes;         ///< what a user should know, in one sentence each
   std::map<std::string, double> seconds;  ///< the times of "sample", "embed" and "connect" [s]
@@ -30,8 +31,10 @@ struct BuiltGraph {
 /// surface, each sampled node is moved to the nearest vertex that has no node yet. Throws
 /// InputError for a shape that `check` refuses, and OptionError for options that are out of range
 /// or do not fit the shape or each other.
+///   fixed  vertices that stay where they are; with options.region "active", only what they leave
+///          free is embedded, and a margin of them
 BuiltGraph build_graph(const Shape& shape, const GraphOptions& options,
-                       std::span<const Cut> cuts = {});
+                       std::span<const Cut> cuts = {}, std::span<const int> fixed = {});
 
 /// Does the same with nodes that are already placed (3×m) [length]. Throws also for nodes that
 /// `check` refuses as points.

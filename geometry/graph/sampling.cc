@@ -88,6 +88,23 @@ Dense own_points(const Shape& shape) {
   return dense;
 }
 
+// Adds the vertices that have no face.
+void add_loose_points(const Shape& shape, Dense& dense) {
+  std::vector<char> has_face(shape.V.cols(), 0);
+  for (const auto& face : shape.faces) {
+    for (const int i : face) has_face[i] = 1;
+  }
+  std::vector<int> loose;
+  for (std::size_t i = 0; i < has_face.size(); ++i) {
+    if (!has_face[i]) loose.push_back(static_cast<int>(i));
+  }
+  const Eigen::Index before = dense.points.cols();
+  dense.points.conservativeResize(3, before + std::ssize(loose));
+  dense.points.rightCols(std::ssize(loose)) = shape.V(Eigen::all, loose);
+  dense.drawn.resize(dense.points.cols());
+  std::iota(dense.drawn.begin() + before, dense.drawn.end(), static_cast<int>(before));
+}
+
 // Takes points in a random order; each point that is taken removes all others within radius r.
 class Elimination {
  public:
@@ -219,14 +236,14 @@ Eigen::Matrix3Xd eliminate_to(const Dense& dense, int m, double guess, std::uint
 
 }  // namespace
 
-Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed) {
+Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed, bool everything) {
   check_number("nodes", m, kNodeRange);
   const Eigen::Matrix3Xi T = triangles(shape);
   const Eigen::VectorXd area = areas(shape, T);
   const double surface = area.sum();
   const int count = std::max(kDensity * m, kFewestDense);
-  const Dense dense =
-      surface > 0 ? points_on_triangles(shape, T, area, count, seed) : own_points(shape);
+  Dense dense = surface > 0 ? points_on_triangles(shape, T, area, count, seed) : own_points(shape);
+  if (everything && surface > 0) add_loose_points(shape, dense);
   const double extent = surface > 0 ? surface : std::pow(bounding_box_diagonal(shape.V), 2);
   return eliminate_to(dense, m, std::sqrt(extent > 0 ? extent / m : 1), seed);
 }

@@ -15,6 +15,15 @@ struct Handles {
   /// point follows the nodes of the nearest vertex.
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd(3, 0);
 
+  /// 3×#targets rotation vectors (unit axis times angle [rad]) by which the handles turn on their
+  /// way, in the order of the targets. An angle may exceed a half turn. A column is NaN where
+  /// nothing is known about the rotation; the whole is 3×0 where nothing is known about any.
+  /// Targets say where a handle ends; this says how it gets there. Methods that begin at rest do
+  /// not use it.
+  Eigen::Matrix3Xd rotations = Eigen::Matrix3Xd(3, 0);
+  /// #targets: handles with the same number move together as one region. Empty: each by itself.
+  std::vector<int> groups{};
+
   Eigen::Index targets() const { return static_cast<Eigen::Index>(moved.size()) + points.cols(); }
 };
 

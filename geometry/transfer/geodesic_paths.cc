@@ -4,7 +4,7 @@
 #include <queue>
 #include <tuple>
 
-#include "geometry/transfer/geodesic.h"
+#include "geometry/transfer/surface_roads.h"
 
 namespace deformlab {
 namespace {
@@ -16,9 +16,8 @@ struct Side {
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
-std::vector<Side> sides_of(const Shape& shape) {
+std::vector<Side> sides_of(const Eigen::Matrix3Xi& T) {
   std::vector<Side> sides;
-  const Eigen::Matrix3Xi T = triangles(shape);
   for (const auto t : T.colwise()) {
     for (int c = 0; c < 3; ++c) {
       const auto [a, b] = std::minmax({t[(c + 1) % 3], t[(c + 2) % 3]});
@@ -28,11 +27,6 @@ std::vector<Side> sides_of(const Shape& shape) {
   std::sort(sides.begin(), sides.end());
   return sides;
 }
-
-struct Link {
-  int a, b;
-  double length;
-};
 
 // The position of a point relative to the line from p to q in the plane of the three: the distance
 // along the line, and the distance from it.
@@ -45,59 +39,17 @@ Eigen::Vector2d unfolded(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
 
 // Two triangles with a common side are unfolded into a plane. Appends the straight line between
 // their opposite corners, if it crosses that side.
-void append_across(const Shape& shape, const Side& one, const Side& other,
+void append_across(const Eigen::Matrix3Xd& V, const Side& one, const Side& other,
                    std::vector<Link>& links) {
-  const Eigen::Vector3d p = shape.V.col(one.a), q = shape.V.col(one.b);
-  const Eigen::Vector2d x = unfolded(p, q, shape.V.col(one.opposite));
-  const Eigen::Vector2d y = unfolded(p, q, shape.V.col(other.opposite));
+  const Eigen::Vector3d p = V.col(one.a), q = V.col(one.b);
+  const Eigen::Vector2d x = unfolded(p, q, V.col(one.opposite));
+  const Eigen::Vector2d y = unfolded(p, q, V.col(other.opposite));
   const double off = x[1] + y[1];
   if (!(off > 0) || one.opposite == other.opposite) return;
   const double crossing = (x[0] * y[1] + y[0] * x[1]) / off;
   if (crossing < 0 || crossing > (q - p).norm()) return;
   links.push_back({one.opposite, other.opposite, std::hypot(x[0] - y[0], off)});
 }
-
-std::vector<Link> links_of(const Shape& shape) {
-  std::vector<Link> links;
-  const std::vector<Side> sides = sides_of(shape);
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const auto [a, b, opposite] = sides[s];
-    const bool again = s > 0 && sides[s - 1].a == a && sides[s - 1].b == b;
-    if (again)
-      append_across(shape, sides[s - 1], sides[s], links);
-    else
-      links.push_back({a, b, (shape.V.col(a) - shape.V.col(b)).norm()});
-  }
-  return links;
-}
-
-// The links that start at each vertex.
-class Roads {
- public:
-  explicit Roads(const Shape& shape) : first_(shape.V.cols() + 1, 0) {
-    const std::vector<Link> links = links_of(shape);
-    for (const Link& link : links) ++first_[link.a + 1], ++first_[link.b + 1];
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    roads_.resize(2 * links.size());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const auto& [a, b, length] : links) {
-      roads_[next[a]++] = {b, length};
-      roads_[next[b]++] = {a, length};
-    }
-  }
-
-  struct Road {
-    int to;
-    double length;
-  };
-  std::span<const Road> from(int vertex) const {
-    return std::span(roads_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
-  }
-
- private:
-  std::vector<std::size_t> first_;
-  std::vector<Road> roads_;
-};
 
 // A path from a source that has reached a vertex.
 struct Arrival {
@@ -117,11 +69,35 @@ bool has(const NearestSources& nearest, int vertex, int source) {
 
 }  // namespace
 
+std::vector<Link> surface_links(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
+  std::vector<Link> links;
+  const std::vector<Side> sides = sides_of(T);
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto [a, b, opposite] = sides[s];
+    const bool again = s > 0 && sides[s - 1].a == a && sides[s - 1].b == b;
+    if (again)
+      append_across(V, sides[s - 1], sides[s], links);
+    else
+      links.push_back({a, b, (V.col(a) - V.col(b)).norm()});
+  }
+  return links;
+}
+
+Roads::Roads(Eigen::Index vertices, const std::vector<Link>& links) : first_(vertices + 1, 0) {
+  for (const Link& link : links) ++first_[link.a + 1], ++first_[link.b + 1];
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  roads_.resize(2 * links.size());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (const auto& [a, b, length] : links) {
+    roads_[next[a]++] = {b, length};
+    roads_[next[b]++] = {a, length};
+  }
+}
+
 // A path is continued from a vertex only if its source is among the nearest there. Where enough
 // other sources are nearer, they are also nearer at all vertices that the path would reach.
-NearestSources nearest_along_edges(const Shape& shape, std::span<const int> sources, int count) {
-  const Roads roads(shape);
-  NearestSources nearest(count, shape.V.cols());
+NearestSources nearest_by_roads(const Roads& roads, std::span<const int> sources, int count) {
+  NearestSources nearest(count, roads.vertices());
   std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue;
   for (std::size_t s = 0; s < sources.size(); ++s) {
     queue.push({0, static_cast<int>(s), sources[s]});
@@ -137,6 +113,11 @@ NearestSources nearest_along_edges(const Shape& shape, std::span<const int> sour
     }
   }
   return nearest;
+}
+
+NearestSources nearest_along_edges(const Shape& shape, std::span<const int> sources, int count) {
+  const Roads roads(shape.V.cols(), surface_links(shape.V, triangles(shape)));
+  return nearest_by_roads(roads, sources, count);
 }
 
 }  // namespace deformlab

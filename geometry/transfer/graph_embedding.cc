@@ -4,6 +4,7 @@
 
 #include "geometry/graph/graph_vertices.h"
 #include "geometry/transfer/geodesic.h"
+#include "geometry/transfer/path_aware.h"
 
 namespace deformlab {
 namespace {
@@ -93,7 +94,8 @@ VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
                                std::span<const int> node_vertices, const CutGroups& groups,
                                const GraphOptions& options) {
   VertexEmbedding result{embed(shape.V, g, options.neighbors), {}};
-  const bool in_space = options.distance == NodeDistance::kEuclidean;
+  const bool in_space = options.distance == NodeDistance::kEuclidean ||
+                        (options.distance == NodeDistance::kPathAware && shape.faces.empty());
   if (in_space && groups.nodes.size() == 1) return result;
   result.followed.assign(static_cast<std::size_t>(shape.V.cols()), 0);
   for (std::size_t group = 0; group < groups.nodes.size(); ++group) {
@@ -105,8 +107,9 @@ VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
     }
     std::vector<int> sources;
     for (const int j : nodes) sources.push_back(node_vertices[j]);
-    const auto nearest =
-        options.distance == NodeDistance::kGeodesic ? nearest_along_surface : nearest_along_edges;
+    const auto nearest = options.distance == NodeDistance::kGeodesic    ? nearest_along_surface
+                         : options.distance == NodeDistance::kEdgePaths ? nearest_along_edges
+                                                                        : nearest_path_aware;
     of_group.along_surface(nearest(shape, sources, options.neighbors + 1));
   }
   return result;

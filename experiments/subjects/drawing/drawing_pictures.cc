@@ -11,7 +11,8 @@ constexpr int kPanelWidth =
 // The positions of pinned vertices, then of handles, 2×p.
 Eigen::Matrix2Xd handle_positions(const ResolvedEdit& edit, const Eigen::Matrix2Xd& V,
                                   bool at_rest) {
-  const auto& [fixed, moved, points] = edit.handles;
+  const std::vector<int>&fixed = edit.handles.fixed, &moved = edit.handles.moved;
+  const Eigen::Matrix3Xd& points = edit.handles.points;
   Eigen::Matrix2Xd result(2, std::ssize(fixed) + edit.targets.cols());
   result.leftCols(std::ssize(fixed)) = V(Eigen::all, fixed);
   if (at_rest) {
