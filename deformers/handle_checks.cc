@@ -43,6 +43,26 @@ void check_finite(const Eigen::Matrix3Xd& columns, const char* what) {
   }
 }
 
+// Throws unless there is one of `what` for each handle, or none.
+void check_count(Eigen::Index given, const char* what, const Handles& handles) {
+  if (given == 0 || given == handles.targets()) return;
+  throw InputError(fmt::format("{} {} for {} handles; give one for each, or none", given, what,
+                               handles.targets()));
+}
+
+void check_motions(const Handles& handles) {
+  check_count(std::ssize(handles.groups), "groups", handles);
+  check_count(handles.rotations.cols(), "rotations", handles);
+  for (Eigen::Index l = 0; l < handles.rotations.cols(); ++l) {
+    const Eigen::Vector3d turn = handles.rotations.col(l);
+    if (turn.allFinite() || turn.array().isNaN().all()) continue;
+    throw InputError(fmt::format(
+        "rotation {} (counted from 0) is ({:.6g}, {:.6g}, {:.6g}); it needs three finite numbers, "
+        "or three NaN where nothing is said about it",
+        l, turn.x(), turn.y(), turn.z()));
+  }
+}
+
 }  // namespace
 
 void check_handles(const Handles& handles, Eigen::Index vertices) {
@@ -50,6 +70,7 @@ void check_handles(const Handles& handles, Eigen::Index vertices) {
   check_vertices(handles.moved, vertices);
   check_once(handles.fixed, handles.moved);
   check_finite(handles.points, "handle point");
+  check_motions(handles);
 }
 
 void check_targets(const Eigen::Matrix3Xd& targets, Eigen::Index count) {

@@ -8,7 +8,8 @@
 namespace deformlab {
 
 /// Throws InputError for a vertex that does not exist, is both fixed and moved or is moved twice,
-/// and for a point that is not finite. `vertices` is the number of the shape's vertices.
+/// for a point that is not finite, and for rotations or groups that are not one for each target or
+/// none. `vertices` is the number of the shape's vertices.
 void check_handles(const Handles& handles, Eigen::Index vertices);
 
 /// Throws InputError where there are not `count` targets (3×#targets) or one is not finite.

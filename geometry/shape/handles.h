@@ -15,13 +15,16 @@ struct Handles {
   /// point follows the nodes of the nearest vertex.
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd(3, 0);
 
-  /// 3×#targets rotation vectors (unit axis times angle [rad]) by which the handles turn on their
-  /// way, in the order of the targets. An angle may exceed a half turn. A column is NaN where
-  /// nothing is known about the rotation; the whole is 3×0 where nothing is known about any.
+  /// 3×targets() rotation vectors (unit axis times angle [rad]) by which the surroundings of the
+  /// handles turn on their way, in the order of the targets. An angle may exceed a half turn: it is
+  /// not reduced by full turns. A column is 0 where a handle is translated, and NaN where nothing
+  /// is known about its rotation, as for a single vertex that goes somewhere. The whole is 3×0
+  /// where no handle is known to turn; rotations can then be fitted to the targets of each group.
   /// Targets say where a handle ends; this says how it gets there. Methods that begin at rest do
   /// not use it.
   Eigen::Matrix3Xd rotations = Eigen::Matrix3Xd(3, 0);
-  /// #targets: handles with the same number move together as one region. Empty: each by itself.
+  /// One number for each target: handles with the same number move together as one region. For an
+  /// edit these are its entries, counted from 0. Empty: each handle moves by itself.
   std::vector<int> groups{};
 
   Eigen::Index targets() const { return static_cast<Eigen::Index>(moved.size()) + points.cols(); }

@@ -44,6 +44,23 @@ TEST(HandleChecks, AHandlePointIsFinite) {
   EXPECT_THAT(refused(handles), HasSubstr("not finite"));
 }
 
+TEST(HandleChecks, RotationsAndGroupsAreOneForEachTargetOrNone) {
+  Handles handles{.fixed = {0}, .moved = {3, 4}};
+  handles.points = Eigen::Matrix3Xd::Zero(3, 1);
+  handles.groups = {1, 1, 7};
+  handles.rotations = Eigen::Matrix3Xd::Constant(3, 3, 9);
+  EXPECT_EQ(refused(handles), "");
+  handles.rotations.col(2).setConstant(NAN);
+  EXPECT_EQ(refused(handles), "") << "nothing is said about this rotation";
+  handles.rotations(0, 2) = 1;
+  EXPECT_THAT(refused(handles), HasSubstr("rotation 2 (counted from 0) is (1, nan, nan)"));
+  handles.rotations.setZero(3, 2);
+  EXPECT_THAT(refused(handles), HasSubstr("2 rotations for 3 handles"));
+  handles.rotations.resize(3, 0);
+  handles.groups = {1, 1, 1, 1};
+  EXPECT_THAT(refused(handles), HasSubstr("4 groups for 3 handles"));
+}
+
 TEST(HandleChecks, EachHandleHasOneFiniteTarget) {
   Eigen::Matrix3Xd targets = Eigen::Matrix3Xd::Zero(3, 2);
   EXPECT_EQ(refused(targets, 2), "");

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -71,6 +73,9 @@ TEST(PlaneEdit, ARotationHandleTakesARingAlong) {
       const Eigen::Vector3d turned(-arm.y(), arm.x(), 0);  // x towards y
       EXPECT_LT((edit.targets.col(i) - edit.targets.col(0) - turned).norm(), 1e-12);
     }
+    const Eigen::Matrix3Xd quarter =
+        Eigen::Vector3d(0, 0, std::numbers::pi / 2).replicate(1, edit.targets.cols());
+    EXPECT_LT((edit.handles.rotations - quarter).norm(), 1e-12) << "the ring turns as the point";
   }
 }
 

@@ -36,37 +36,6 @@ std::vector<int> read_indices(const std::filesystem::path& path, const std::stri
   return indices;
 }
 
-void check_only_true(const std::optional<bool>& flag, const char* name, const std::string& where) {
-  if (flag && !*flag) {
-    throw InputError(where + ": '" + name + "' can only be true; leave it out otherwise");
-  }
-}
-
-}  // namespace
-
-std::string text_of(const Eigen::Vector3d& p) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", p.x(), p.y(), p.z());
-}
-
-void check_selection(const Selection& select, const std::string& where) {
-  check_only_true(select.all, "all", where);
-  const int given = select.vertices.has_value() + select.box.has_value() +
-                    select.sphere.has_value() + select.nearest.has_value() +
-                    select.point.has_value() + select.file.has_value() + select.all.has_value();
-  if (given != 1) {
-    throw InputError(fmt::format(
-        "{}: 'select' needs exactly one of vertices, box, sphere, nearest, point, file, "
-        "all; found {}",
-        where, given));
-  }
-  if (select.box && (select.box->min.array() > select.box->max.array()).any()) {
-    throw InputError(where + ": the box's min " + text_of(select.box->min) +
-                     " must not exceed its max " + text_of(select.box->max));
-  }
-}
-
-namespace {
-
 void check_action(const EditEntry& entry) {
   check_only_true(entry.fix, "fix", entry.where);
   const bool motion = entry.by.has_value() || entry.rotate.has_value();

@@ -8,53 +8,11 @@
 #include <vector>
 
 #include "experiments/config/config_node.h"
+#include "experiments/subjects/shape/selection.h"
 #include "geometry/shape/handles.h"
 #include "geometry/shape/shape.h"
 
 namespace deformlab {
-
-/// An axis-aligned box with its boundary [length].
-struct BoxSelection {
-  Eigen::Vector3d min = Eigen::Vector3d::Zero();
-  Eigen::Vector3d max = Eigen::Vector3d::Zero();
-  template <class Self, class Visit>
-  static void fields(Self& o, Visit&& visit) {
-    visit.required("min", o.min, "The smallest corner [x, y, z] [length]");
-    visit.required("max", o.max, "The largest corner [x, y, z] [length]");
-  }
-};
-
-/// A ball with its boundary [length].
-struct SphereSelection {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double radius = 0;
-  template <class Self, class Visit>
-  static void fields(Self& o, Visit&& visit) {
-    visit.required("center", o.center, "The centre [x, y, z] [length]");
-    visit.required("radius", o.radius, {.min = 0}, "The radius [length]");
-  }
-};
-
-/// What an entry of an edit selects, by rest positions. Exactly one member is given.
-struct Selection {
-  std::optional<std::vector<int>> vertices;
-  std::optional<BoxSelection> box;
-  std::optional<SphereSelection> sphere;
-  std::optional<Eigen::Vector3d> nearest;
-  std::optional<Eigen::Vector3d> point;
-  std::optional<std::filesystem::path> file;  ///< read_edit turns it into `vertices`
-  std::optional<bool> all;
-  template <class Self, class Visit>
-  static void fields(Self& o, Visit&& visit) {
-    visit("vertices", o.vertices, "The indices of vertices, counted from 0");
-    visit("box", o.box, "All vertices inside an axis-aligned box");
-    visit("sphere", o.sphere, "All vertices inside a sphere");
-    visit("nearest", o.nearest, "The one vertex that is closest to [x, y, z] [length]");
-    visit("point", o.point, "A point inside the shape, which need not be a vertex [length]");
-    visit("file", o.file, "A text file beside the YAML file, with one vertex index in each line");
-    visit("all", o.all, "true selects every vertex");
-  }
-};
 
 /// A rotation of the selection. Its sign follows the right-hand rule.
 struct Turn {
@@ -93,23 +51,18 @@ struct EditEntry {
   }
 };
 
-/// "[x, y, z]", for messages.
-std::string text_of(const Eigen::Vector3d& p);
-
 /// Reads the list under `edit:`. Throws InputError (naming the line) for anything that is not in
 /// the grammar above: no selector or two, no action or two, a negative radius, min > max, a zero
 /// axis, numbers that are not finite, a file of indices that cannot be read, or no entries.
 std::vector<EditEntry> read_edit(const ConfigNode& list);
-
-/// Throws InputError unless exactly one selector is given, and if it cannot select anything.
-void check_selection(const Selection& select, const std::string& where);
 
 /// Puts the list of a YAML file whose only key is `edit` into the map `root`, under that key.
 /// Throws InputError as load_config does, and for another key.
 void put_edit(const std::filesystem::path& path, ConfigNode& root);
 
 /// The handles and targets of an edit for one shape. Each vertex occurs once. Vertices are in the
-/// order of the entries, and ascend within an entry.
+/// order of the entries, and ascend within an entry. handles.rotations has the rotations that
+/// entries with `rotate` ask for, and handles.groups the entry of each handle that moves.
 struct ResolvedEdit {
   Handles handles;
   Eigen::Matrix3Xd targets;  ///< 3×#, of handles.moved and then of handles.points [length]
@@ -124,16 +77,12 @@ struct Rings {
   std::function<bool(const Eigen::Vector3d&)> inside = [](const Eigen::Vector3d&) { return true; };
 };
 
-/// Selects by rest positions. A vertex that several entries move to the same position counts once.
+/// Selects by rest positions. A vertex that several entries move to the same position counts once,
+/// for the first of them, and turns as the first one says that says something about its rotation.
 /// Throws InputError (naming the entries) if an index does not exist, a selection is empty, a
 /// vertex is both fixed and moved or moved to two positions, a target is not finite, or there are
 /// no entries.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
                      const Rings& rings = {});
-
-/// The vertices of a selection in ascending order, each once. Messages call the selection `where`.
-/// Throws InputError if no vertex is selected, and for `point`, which need not be a vertex.
-std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
-                                 const std::string& where);
 
 }  // namespace deformlab

@@ -2,74 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <numbers>
 
 #include "experiments/subjects/shape/edit.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
-namespace {
-
-/// The vertices whose rest position passes a test, in ascending order.
-template <class Inside>
-std::vector<int> select_if(const Eigen::Matrix3Xd& V, Inside&& inside) {
-  std::vector<int> selected;
-  for (int i = 0; i < V.cols(); ++i) {
-    if (inside(V.col(i))) selected.push_back(i);
-  }
-  return selected;
-}
-
-std::vector<int> listed(std::vector<int> selected, const Shape& shape, const std::string& where) {
-  const int count = static_cast<int>(shape.V.cols());
-  for (const int i : selected) {
-    if (i >= 0 && i < count) continue;
-    throw InputError(
-        fmt::format("{}: vertex {} does not exist; the shape has {} vertices, counted from 0",
-                    where, i, count));
-  }
-  std::sort(selected.begin(), selected.end());
-  selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
-  return selected;
-}
-
-/// The vertices selected, in ascending order, each once.
-std::vector<int> select(const Selection& by, const Shape& shape, const std::string& where) {
-  if (by.vertices) return listed(*by.vertices, shape, where);
-  if (by.box) {
-    return select_if(shape.V, [&](const auto& p) {
-      return (p.array() >= by.box->min.array()).all() && (p.array() <= by.box->max.array()).all();
-    });
-  }
-  if (by.sphere) {
-    return select_if(shape.V, [&](const auto& p) {
-      return (p - by.sphere->center).norm() <= by.sphere->radius;
-    });
-  }
-  if (by.nearest) {
-    Eigen::Index closest = 0;
-    (shape.V.colwise() - *by.nearest).colwise().squaredNorm().minCoeff(&closest);
-    return {static_cast<int>(closest)};
-  }
-  return select_if(shape.V, [&](const auto&) { return by.all.has_value(); });
-}
-
-}  // namespace
-
-std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
-                                 const std::string& where) {
-  if (selection.point) {
-    throw InputError(where +
-                     ": 'point' is a position and need not be a vertex; take 'nearest' here");
-  }
-  std::vector<int> selected = select(selection, shape, where);
-  if (!selected.empty()) return selected;
-  throw InputError(fmt::format(
-      "{} selects no vertex; the shape reaches from {} to {}: check the unit and the "
-      "axes of the selection",
-      where, text_of(shape.V.rowwise().minCoeff()), text_of(shape.V.rowwise().maxCoeff())));
-}
-
 namespace {
 
 /// The motion that the entry's action gives to its vertices, whose rest positions are P (3×#).
@@ -88,9 +28,26 @@ Eigen::Isometry3d motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P) {
   return motion;
 }
 
-Eigen::Matrix3Xd matrix(const std::vector<Eigen::Vector3d>& columns) {
-  Eigen::Matrix3Xd result(3, columns.size());
-  for (std::size_t l = 0; l < columns.size(); ++l) result.col(l) = columns[l];
+/// The rotation vector [radian] that the entry asks for. Where it has no rotation, one handle may
+/// turn as it likes, which NaN says, and several are translated.
+Eigen::Vector3d turn_of(const EditEntry& entry, std::size_t selected) {
+  if (entry.rotate) {
+    return entry.rotate->degrees * std::numbers::pi / 180 * entry.rotate->axis.stableNormalized();
+  }
+  return Eigen::Vector3d::Constant(selected == 1 ? std::numeric_limits<double>::quiet_NaN() : 0);
+}
+
+/// Where a handle goes, how it turns on the way there, and the entry that says so.
+struct Target {
+  Eigen::Vector3d position, turn;
+  int entry;
+};
+
+/// A matrix of one column of each item.
+template <class Item, class Column>
+Eigen::Matrix3Xd matrix(const std::vector<Item>& items, Column&& column) {
+  Eigen::Matrix3Xd result(3, items.size());
+  for (std::size_t l = 0; l < items.size(); ++l) result.col(l) = std::invoke(column, items[l]);
   return result;
 }
 
@@ -107,9 +64,10 @@ class Resolver {
 
   ResolvedEdit run() {
     for (std::size_t e = 0; e < entries_.size(); ++e) add(static_cast<int>(e));
-    handles_.points = matrix(points_);
+    handles_.points = matrix(points_, std::identity());
     targets_.insert(targets_.end(), point_targets_.begin(), point_targets_.end());
-    return {std::move(handles_), matrix(targets_)};
+    add_motions();
+    return {std::move(handles_), matrix(targets_, &Target::position)};
   }
 
  private:
@@ -126,9 +84,10 @@ class Resolver {
     }
     const Eigen::Matrix3Xd P = shape_.V(Eigen::all, selected);
     const Eigen::Isometry3d motion = motion_of(entry, P);
+    const Eigen::Vector3d turn = turn_of(entry, selected.size());
     for (std::size_t k = 0; k < selected.size(); ++k) {
       const bool exactly = entry.to && selected.size() == 1;  // avoids rounding errors
-      move(selected[k], e, exactly ? *entry.to : Eigen::Vector3d(motion * P.col(k)));
+      move(selected[k], {exactly ? *entry.to : Eigen::Vector3d(motion * P.col(k)), turn, e});
     }
     if (entry.rotate && selected.size() == 1) add_ring(P.col(0), motion, e);
   }
@@ -139,7 +98,7 @@ class Resolver {
     const Eigen::Vector3d target = entry.fix ? p : entry.to ? *entry.to : motion * p;
     check_range(target, e, "the point " + text_of(p));
     points_.push_back(p);
-    point_targets_.push_back(target);
+    point_targets_.push_back({target, turn_of(entry, 1), e});
     if (entry.rotate) add_ring(p, motion, e);
   }
 
@@ -153,7 +112,7 @@ class Resolver {
       const Eigen::Vector3d end = p + Eigen::AngleAxisd(i * std::numbers::pi / 4, axis) * arm;
       if (!rings_.inside(end)) continue;
       points_.push_back(end);
-      point_targets_.push_back(motion * end);
+      point_targets_.push_back({motion * end, turn_of(entries_[e], 1), e});
     }
     if (points_.size() > before) return;
     throw InputError(fmt::format(
@@ -175,8 +134,9 @@ class Resolver {
                      text_of(target));
   }
 
-  void move(int i, int e, const Eigen::Vector3d& target) {
-    check_range(target, e, "vertex " + std::to_string(i));
+  void move(int i, const Target& target) {
+    const int e = target.entry;
+    check_range(target.position, e, "vertex " + std::to_string(i));
     if (owner_[i] < 0) {
       owner_[i] = e;
       column_[i] = static_cast<int>(targets_.size());
@@ -185,11 +145,23 @@ class Resolver {
       return;
     }
     if (column_[i] < 0) throw_fixed_and_moved(i, owner_[i], e);
-    const Eigen::Vector3d& first = targets_[column_[i]];
-    if ((first - target).norm() <= same_) return;
+    Target& first = targets_[column_[i]];
+    if ((first.position - target.position).norm() <= same_) {
+      if (first.turn.hasNaN()) first.turn = target.turn;
+      return;
+    }
     throw InputError(fmt::format("vertex {} is moved to {} by {} and to {} by {}; keep one", i,
-                                 text_of(first), entries_[owner_[i]].where, text_of(target),
-                                 entries_[e].where));
+                                 text_of(first.position), entries_[owner_[i]].where,
+                                 text_of(target.position), entries_[e].where));
+  }
+
+  void add_motions() {
+    const auto rotates = [&](const Target& target) {
+      return entries_[target.entry].rotate.has_value();
+    };
+    if (std::ranges::any_of(targets_, rotates))
+      handles_.rotations = matrix(targets_, &Target::turn);
+    for (const Target& target : targets_) handles_.groups.push_back(target.entry);
   }
 
   [[noreturn]] void throw_fixed_and_moved(int i, int fixing, int moving) const {
@@ -205,7 +177,8 @@ class Resolver {
   std::vector<int> owner_;   ///< by vertex: the entry that took it first, or -1
   std::vector<int> column_;  ///< by vertex: its column of the targets, or -1
   Handles handles_;
-  std::vector<Eigen::Vector3d> targets_, points_, point_targets_;
+  std::vector<Target> targets_, point_targets_;
+  std::vector<Eigen::Vector3d> points_;
 };
 
 }  // namespace

@@ -1,0 +1,99 @@
+#include "experiments/subjects/shape/selection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/core/error.h"
+
+namespace deformlab {
+namespace {
+
+/// The vertices whose rest position passes a test, in ascending order.
+template <class Inside>
+std::vector<int> select_if(const Eigen::Matrix3Xd& V, Inside&& inside) {
+  std::vector<int> selected;
+  for (int i = 0; i < V.cols(); ++i) {
+    if (inside(V.col(i))) selected.push_back(i);
+  }
+  return selected;
+}
+
+std::vector<int> listed(std::vector<int> selected, const Shape& shape, const std::string& where) {
+  const int count = static_cast<int>(shape.V.cols());
+  for (const int i : selected) {
+    if (i >= 0 && i < count) continue;
+    throw InputError(
+        fmt::format("{}: vertex {} does not exist; the shape has {} vertices, counted from 0",
+                    where, i, count));
+  }
+  std::sort(selected.begin(), selected.end());
+  selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
+  return selected;
+}
+
+/// The vertices selected, in ascending order, each once.
+std::vector<int> select(const Selection& by, const Shape& shape, const std::string& where) {
+  if (by.vertices) return listed(*by.vertices, shape, where);
+  if (by.box) {
+    return select_if(shape.V, [&](const auto& p) {
+      return (p.array() >= by.box->min.array()).all() && (p.array() <= by.box->max.array()).all();
+    });
+  }
+  if (by.sphere) {
+    return select_if(shape.V, [&](const auto& p) {
+      return (p - by.sphere->center).norm() <= by.sphere->radius;
+    });
+  }
+  if (by.nearest) {
+    Eigen::Index closest = 0;
+    (shape.V.colwise() - *by.nearest).colwise().squaredNorm().minCoeff(&closest);
+    return {static_cast<int>(closest)};
+  }
+  return select_if(shape.V, [&](const auto&) { return by.all.has_value(); });
+}
+
+}  // namespace
+
+std::string text_of(const Eigen::Vector3d& p) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", p.x(), p.y(), p.z());
+}
+
+void check_only_true(const std::optional<bool>& flag, const char* name, const std::string& where) {
+  if (flag && !*flag) {
+    throw InputError(where + ": '" + name + "' can only be true; leave it out otherwise");
+  }
+}
+
+void check_selection(const Selection& select, const std::string& where) {
+  check_only_true(select.all, "all", where);
+  const int given = select.vertices.has_value() + select.box.has_value() +
+                    select.sphere.has_value() + select.nearest.has_value() +
+                    select.point.has_value() + select.file.has_value() + select.all.has_value();
+  if (given != 1) {
+    throw InputError(fmt::format(
+        "{}: 'select' needs exactly one of vertices, box, sphere, nearest, point, file, "
+        "all; found {}",
+        where, given));
+  }
+  if (select.box && (select.box->min.array() > select.box->max.array()).any()) {
+    throw InputError(where + ": the box's min " + text_of(select.box->min) +
+                     " must not exceed its max " + text_of(select.box->max));
+  }
+}
+
+std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
+                                 const std::string& where) {
+  if (selection.point) {
+    throw InputError(where +
+                     ": 'point' is a position and need not be a vertex; take 'nearest' here");
+  }
+  std::vector<int> selected = select(selection, shape, where);
+  if (!selected.empty()) return selected;
+  throw InputError(fmt::format(
+      "{} selects no vertex; the shape reaches from {} to {}: check the unit and the "
+      "axes of the selection",
+      where, text_of(shape.V.rowwise().minCoeff()), text_of(shape.V.rowwise().maxCoeff())));
+}
+
+}  // namespace deformlab
