@@ -51,7 +51,9 @@ YAML. --minloglevel=0 prints more messages, and --minloglevel=2 prints errors on
 
 Exit status: 0 if the command succeeded and every claim holds or falls short for a reason that the
 config gives under `known`; 1 if a claim falls short or a solve failed; 2 if an input cannot be used
-(the message says what is wrong and how to mend it); 3 if the program itself failed.
+(the message says what is wrong and how to mend it); 3 if `deform` wrote a result that is not what
+the edit asked for: handles that miss their targets by more than 2 % of the motion, tears, parts that
+are inside out, lost turns (with --strict it writes nothing then); 4 if the program itself failed.
 )";
 
 constexpr std::string_view kPage = R"(# All keys

@@ -19,6 +19,7 @@ DEFINE_string(particles, "", "animate: a CSV file of particles: frame, id, x, y,
 DEFINE_string(edit, "", "deform, animate: the YAML file of what is selected and where it goes");
 DEFINE_string(metrics, "", "deform, animate: a JSON file for the measurements");
 DEFINE_string(picture, "", "deform, animate: a PNG file of the shape or frames before and after");
+DEFINE_bool(strict, false, "deform: write nothing if the result is not what the edit asks for");
 DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes, "deform: number of graph nodes");
 DEFINE_int32(vertices, deformlab::TriangulationOptions{}.vertices,
              "deform a drawing: number of vertices of its mesh");
@@ -34,6 +35,7 @@ int dispatch(const std::string& command, const std::vector<std::string>& argumen
                          .out = FLAGS_out,
                          .metrics = FLAGS_metrics,
                          .picture = FLAGS_picture,
+                         .strict = FLAGS_strict,
                          .nodes = FLAGS_nodes,
                          .vertices = FLAGS_vertices};
   if (command == "deform") return deform_command(arguments, line);
@@ -71,7 +73,7 @@ std::vector<std::string> parse_flags(int argc, char** argv) {
     if (!gflags::GetCommandLineFlagInfo(name.c_str(), &flag)) {
       throw InputError("unknown flag " + quote(argument) + "; " +
                        known_names(name, {"out", "edit", "frames", "particles", "metrics",
-                                          "picture", "nodes", "vertices"}));
+                                          "picture", "nodes", "vertices", "strict"}));
     }
     const std::string value = equals < argument.size() ? argument.substr(equals + 1)
                                                        : value_of(name, flag.type, argc, argv, i);
@@ -110,9 +112,9 @@ int main(int argc, char** argv) {
     return 2;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "deformlab: out of memory: use fewer nodes or a smaller shape\n");
-    return 3;
+    return 4;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "deformlab: %s\n", e.what());
-    return 3;
+    return 4;
   }
 }

@@ -17,6 +17,8 @@
 namespace deformlab {
 namespace {
 
+constexpr int kNotDone = 3;  // the exit status if the result is not what the edit asked for
+
 void check_overrides(const std::vector<Override>& overrides, const SubjectKind& kind) {
   for (const Override& change : overrides) {
     if (change.key == kind.file_key) {
@@ -74,6 +76,14 @@ int run_and_write(const SubjectKind& kind, const CommandLine& line, const RunOpt
     std::fprintf(stderr, "deformlab: %s\n", failure.c_str());
     return 1;
   }
+  const std::vector<std::string> shortfalls = subject->shortfalls();
+  for (const std::string& shortfall : shortfalls) {
+    std::fprintf(stderr, "deformlab: not done: %s\n", shortfall.c_str());
+  }
+  if (line.strict && !shortfalls.empty()) {
+    std::fputs("deformlab: nothing is written, because of --strict\n", stderr);
+    return kNotDone;
+  }
   // Measuring and drawing may fail, so they come before the first file is written.
   const bool measures = !line.metrics.empty(), draws = !line.picture.empty();
   const std::string metrics = measures ? to_json(subject->measure()) : "";
@@ -82,7 +92,7 @@ int run_and_write(const SubjectKind& kind, const CommandLine& line, const RunOpt
   if (measures) write_file(line.metrics, metrics);
   if (draws) write_png(picture, line.picture);
   std::fputs(subject->summary().c_str(), stdout);
-  return 0;
+  return shortfalls.empty() ? 0 : kNotDone;
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ struct CommandLine {
   std::string input;                     ///< the file of the subject, or the pattern of its files
   std::string edit;                      ///< the YAML file of the edit
   std::string out, metrics, picture;     ///< files to write; the last two may be empty
+  bool strict = false;                   ///< write nothing if the edit is not done
   int nodes = 0;                         ///< graph.nodes, unless a key=value sets it
   int vertices = 0;                      ///< drawing.vertices, unless a key=value sets it
   std::vector<std::string> overrides{};  ///< key=value
@@ -85,6 +86,9 @@ class Subject {
   virtual const Summary& solve() const = 0;
   /// What failed, in a sentence for the user; empty if all was solved.
   virtual std::string failure() const;
+  /// What the edit asked for and the result does not show, or what is wrong with it, one sentence
+  /// each (experiments/measure/shortfalls.h).
+  virtual std::vector<std::string> shortfalls() const { return {}; }
   virtual Run measure() const = 0;
   /// Adds panels to a book that the make_book of this kind of subject has made.
   virtual void draw(Book& book, const std::string& caption) = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/measure/detail.h"
+#include "experiments/measure/shortfalls.h"
 #include "experiments/measure/stripes.h"
 #include "experiments/subjects/run_options.h"
 #include "experiments/subjects/shape/cuts.h"
@@ -43,7 +44,18 @@ class ShapeSubject : public Subject {
   void deform() override {
     deformer_->compile(edit_.handles);
     drag_ = drag(*deformer_, rest_, edit_, options_.drag);
+    if (context_.writes()) check_movable(rest_, edit_.handles, edit_.targets, drag_.last);
     log_notes(drag_.last, context_);
+  }
+
+  std::vector<std::string> shortfalls() const override {
+    const Eigen::Matrix3Xd& V = deformer_->deformed().V;
+    std::vector<std::string> result =
+        missed_handles(rest_, V, edit_.handles, edit_.targets, drag_.last);
+    for (const auto& more : {tears(rest_, V), inside_out(drag_.last)}) {
+      result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
   }
 
   const Summary& solve() const override { return drag_.last.solve; }

@@ -1,0 +1,185 @@
+#include "experiments/measure/shortfalls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/measure/drag.h"
+#include "geometry/core/error.h"
+#include "geometry/core/median.h"
+#include "geometry/transfer/weld.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kMissed = 0.02;  // of the edit's motion
+constexpr double kTorn = 5;       // times the stretch around an edge
+constexpr double kOpen = 0.5;     // mean edges between the two sides of a seam
+
+using Edge = std::pair<int, int>;
+
+double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets) {
+  if (targets.cols() == 0) return 0;
+  return (targets - targets_at_rest(rest, handles)).colwise().norm().maxCoeff();
+}
+
+std::vector<Edge> edges_of(const Shape& shape) {
+  std::vector<Edge> edges;
+  for (const auto& face : shape.faces) {
+    for (std::size_t c = 0; c < face.size(); ++c) {
+      edges.push_back(std::minmax(face[c], face[(c + 1) % face.size()]));
+    }
+  }
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+double length(const Eigen::Matrix3Xd& V, const Edge& edge) {
+  return (V.col(edge.first) - V.col(edge.second)).norm();
+}
+
+// The stretch of edges: their lengths divided by those at rest.
+class Stretch {
+ public:
+  Stretch(const Shape& rest, const Eigen::Matrix3Xd& V)
+      : rest_(rest), V_(V), edges_(edges_of(rest)), of_vertex_(rest.V.cols()) {
+    for (const Edge& edge : edges_) mean_ += length(rest.V, edge) / edges_.size();
+  }
+
+  double mean_edge() const { return mean_; }
+
+  struct Worst {
+    int count = 0;
+    double times = 0;
+    Edge edge;
+  };
+
+  Worst torn() {
+    Worst worst;
+    for (const Edge& edge : edges_) {
+      const double stretch = of(edge);
+      if (!(stretch > kTorn)) continue;  // most edges, whose surroundings need no look
+      const double times = stretch / std::max(1.0, around(edge));
+      if (!(times > kTorn)) continue;
+      ++worst.count;
+      if (times > worst.times) worst.times = times, worst.edge = edge;
+    }
+    return worst;
+  }
+
+ private:
+  double of(const Edge& edge) const {
+    const double before = length(rest_.V, edge);
+    return before > 0 ? length(V_, edge) / before : 1;
+  }
+
+  // The median stretch of the edges that start at neighbours of an edge, but not at the edge
+  // itself.
+  double around(const Edge& edge) {
+    if (!indexed_) {
+      for (const Edge& e : edges_) {
+        of_vertex_[e.first].push_back(e.second);
+        of_vertex_[e.second].push_back(e.first);
+      }
+      indexed_ = true;
+    }
+    const auto is_end = [&](int i) { return i == edge.first || i == edge.second; };
+    std::vector<double> stretches;
+    for (const int end : {edge.first, edge.second}) {
+      for (const int near : of_vertex_[end]) {
+        for (const int far : of_vertex_[near]) {
+          if (!is_end(near) && !is_end(far)) stretches.push_back(of({near, far}));
+        }
+      }
+    }
+    return stretches.empty() ? 1 : median(stretches);
+  }
+
+  const Shape& rest_;
+  const Eigen::Matrix3Xd& V_;
+  const std::vector<Edge> edges_;
+  std::vector<std::vector<int>> of_vertex_;
+  bool indexed_ = false;
+  double mean_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3Xd& V,
+                                        const Handles& handles, const Eigen::Matrix3Xd& targets,
+                                        const Report& report) {
+  std::vector<std::string> result = report.undone;
+  const double motion = edit_motion(rest, handles, targets);
+  if (!(report.handle_max > kMissed * motion)) return result;
+  int count = 0, worst = -1;
+  double most = 0;
+  for (std::size_t l = 0; l < handles.moved.size(); ++l) {
+    const double miss = (V.col(handles.moved[l]) - targets.col(l)).norm();
+    count += miss > kMissed * motion;
+    if (miss > most) most = miss, worst = handles.moved[l];
+  }
+  const bool is_point = !(most > kMissed * motion);
+  const std::string which =
+      is_point ? "a handle at a point" : fmt::format("the handle at vertex {}", worst);
+  const std::string others =
+      count > 1 ? fmt::format(" ({} handles miss by more than 2 %)", count) : "";
+  const double miss = is_point ? report.handle_max : most;
+  result.push_back(
+      fmt::format("{} stops {:.3g} short of its target, {:.0f} % of the edit's motion{}; add nodes "
+                  "near it with "
+                  "a greater graph.nodes (now {}), hold it more with a greater "
+                  "energies.constraint, or fix less "
+                  "around it",
+                  which, miss, 100 * miss / motion, others, report.nodes));
+  return result;
+}
+
+std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V) {
+  std::vector<std::string> result;
+  Stretch stretch(rest, V);
+  const auto [count, times, edge] = stretch.torn();
+  if (count > 0) {
+    result.push_back(fmt::format(
+        "the shape tears at {} edge{}: the edge of vertices {} and {} becomes {:.3g} times as long "
+        "as those around it; move the handles less, let more of the shape move, or change "
+        "graph.nodes",
+        count, count == 1 ? "" : "s", edge.first, edge.second, times));
+  }
+  const std::vector<int> first = weld(rest.V);
+  int open = 0;
+  double widest = 0;
+  for (int i = 0; i < rest.V.cols(); ++i) {
+    const double gap = first[i] == i ? 0 : (V.col(i) - V.col(first[i])).norm();
+    open += gap > kOpen * stretch.mean_edge() && gap > 0;
+    widest = std::max(widest, gap);
+  }
+  if (open > 0 && !rest.faces.empty()) {
+    result.push_back(fmt::format(
+        "a seam opens: {} vertices that are at the position of another one move up to {:.3g} away "
+        "from it; move both sides together, or use graph.distance=path_aware",
+        open, widest));
+  }
+  return result;
+}
+
+std::vector<std::string> inside_out(const Report& report) {
+  if (report.inside_out == 0) return {};
+  return {fmt::format(
+      "the shape is turned inside out around {} of {} nodes; move the handles less or say how they "
+      "turn with 'rotate', or set reflections=repair",
+      report.inside_out, report.nodes)};
+}
+
+void check_movable(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets,
+                   const Report& report) {
+  const bool asks = edit_motion(rest, handles, targets) > 0;
+  if (!asks || report.immovable < targets.cols()) return;
+  throw InputError(fmt::format(
+      "no handle can move, because all {} follow only nodes that the fixed part holds; fix fewer "
+      "vertices, or use more nodes (graph.nodes is {})",
+      targets.cols(), report.nodes));
+}
+
+}  // namespace deformlab
