@@ -88,15 +88,35 @@ std::vector<int> members(const std::vector<int>& of_vertex, std::size_t group) {
   return result;
 }
 
+// The embedding by distances that are known for as many nodes at every vertex. With fewer than k+1
+// nodes the farthest gives d_max, and a single node has weight 1, as in `embed`.
+VertexEmbedding embed_by(const NearestSources& nearest, const Eigen::Matrix3Xd& V) {
+  const Eigen::Index found = std::min<Eigen::Index>(nearest.found.minCoeff(), nearest.sources.rows());
+  const Eigen::Index k = std::max<Eigen::Index>(1, found - 1), n = V.cols();
+  Embedding e{V, nearest.sources.topRows(k), Eigen::MatrixXd(k, n)};
+  Eigen::VectorXd distances(k + 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    distances = nearest.distances.col(i).head(k + 1);
+    if (found == 1) distances << 0, 1;
+    weigh(distances, static_cast<int>(k));
+    e.weights.col(i) = distances.head(k);
+  }
+  return {std::move(e), std::vector<int>(static_cast<std::size_t>(n), static_cast<int>(k))};
+}
+
 }  // namespace
 
 VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
                                std::span<const int> node_vertices, const CutGroups& groups,
                                const GraphOptions& options) {
-  VertexEmbedding result{embed(shape.V, g, options.neighbors), {}};
   const bool in_space = options.distance == NodeDistance::kEuclidean ||
                         (options.distance == NodeDistance::kPathAware && shape.faces.empty());
-  if (in_space && groups.nodes.size() == 1) return result;
+  const bool whole = groups.nodes.size() == 1;
+  if (in_space && whole) return {embed(shape.V, g, options.neighbors), {}};
+  if (options.distance == NodeDistance::kPathAware && whole) {
+    return embed_by(nearest_path_aware(shape, node_vertices, options.neighbors + 1), shape.V);
+  }
+  VertexEmbedding result{embed(shape.V, g, options.neighbors), {}};
   result.followed.assign(static_cast<std::size_t>(shape.V.cols()), 0);
   for (std::size_t group = 0; group < groups.nodes.size(); ++group) {
     const std::vector<int>& nodes = groups.nodes[group];

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/core/disjoint_sets.h"
+#include "geometry/core/pair_table.h"
 #include "geometry/transfer/nearest_nodes.h"
 #include "geometry/transfer/surface_roads.h"
 #include "geometry/transfer/weld.h"
@@ -35,6 +36,19 @@ std::vector<int> parts_of(const std::vector<int>& first, const std::vector<Link>
   for (const Link& link : links) sets.join(link.a, link.b);
   for (std::size_t i = 0; i < first.size(); ++i) sets.join(static_cast<int>(i), first[i]);
   return sets.numbered();
+}
+
+// The edges of the triangles, most of them twice. Finding the copies would cost more than they do.
+std::vector<Link> triangle_sides(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
+  std::vector<Link> links;
+  links.reserve(static_cast<std::size_t>(T.size()));
+  for (const auto t : T.colwise()) {
+    for (int c = 0; c < 3; ++c) {
+      const int a = t[c], b = t[(c + 1) % 3];
+      if (a != b) links.push_back({a, b, (V.col(a) - V.col(b)).norm()});
+    }
+  }
+  return links;
 }
 
 // The vertices between which paths are measured, and the roads between them.
@@ -101,15 +115,11 @@ std::vector<Way> ways_to_stops(const Roads& roads, const std::vector<int>& stops
 Stops coarse_stops(const Eigen::Matrix3Xd& V, const std::vector<Link>& links,
                    std::vector<int> chosen) {
   const std::vector<Way> ways = ways_to_stops(Roads(V.cols(), links), chosen);
-  std::vector<std::pair<int, int>> pairs;
-  for (const Link& link : links) {
-    const auto [a, b] = std::minmax({ways[link.a].stop, ways[link.b].stop});
-    if (a != b) pairs.emplace_back(a, b);
-  }
-  std::ranges::sort(pairs);
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  PairTable joined;
   std::vector<Link> between;
-  for (const auto& [a, b] : pairs) {
+  for (const Link& link : links) {
+    const int a = ways[link.a].stop, b = ways[link.b].stop;
+    if (a == b || joined.enter(a, b, 0) != PairTable::kNone) continue;
     between.push_back({a, b, (V.col(chosen[a]) - V.col(chosen[b])).norm()});
   }
   std::vector<int> of_vertex;
@@ -128,29 +138,30 @@ class PathAware {
         seen_(sources.size(), -1),
         path_(sources.size()),
         nearest_(count, V_.cols()) {
-    const std::vector<Link> links = surface_links(V_, welded_triangles(shape, first_));
-    part_ = parts_of(first_, links);
+    const Eigen::Matrix3Xi T = welded_triangles(shape, first_);
+    const std::vector<Link> sides = triangle_sides(V_, T);
+    part_ = parts_of(first_, sides);
     for (const int s : sources) part_of_source_.push_back(part_[first_[s]]);
-    const Stops stops = make_stops(links, sources);
-    measure(stops, sources);
+    measure(make_stops(T, sides, sources), sources);
   }
 
   NearestSources result() && { return std::move(nearest_); }
 
  private:
-  Stops make_stops(const std::vector<Link>& links, std::span<const int> sources) const {
+  Stops make_stops(const Eigen::Matrix3Xi& T, const std::vector<Link>& sides,
+                   std::span<const int> sources) const {
     const auto wanted = std::max<std::size_t>(kStopsPerSource * sources.size(), kFewestStops);
     if (static_cast<std::size_t>(V_.cols()) <= 2 * wanted) {
       std::vector<int> all(static_cast<std::size_t>(V_.cols()));
       for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-      return {all, all, Roads(V_.cols(), links)};
+      return {all, all, Roads(V_.cols(), surface_links(V_, T))};
     }
     double squares = 0;  // a triangle has half the area of a square over its edges
-    for (const Link& link : links) squares += link.length * link.length;
+    for (const Link& side : sides) squares += side.length * side.length;
     const double area =
-        squares / static_cast<double>(links.size()) * static_cast<double>(V_.cols());
+        squares / static_cast<double>(sides.size()) * static_cast<double>(V_.cols());
     const double cell = std::sqrt(area / static_cast<double>(wanted));
-    return coarse_stops(V_, links, choose_stops(V_, sources, part_, first_, cell));
+    return coarse_stops(V_, sides, choose_stops(V_, sources, part_, first_, cell));
   }
 
   void measure(const Stops& stops, std::span<const int> sources) {
