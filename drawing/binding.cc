@@ -1,13 +1,8 @@
 #include "drawing/binding.h"
 
+#include "geometry/plane/cross.h"
+
 namespace deformlab {
-namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-}  // namespace
 
 Eigen::Vector3d barycentric(const Eigen::Matrix<double, 2, 3>& c, const Eigen::Vector2d& point) {
   const Eigen::Vector2d e1 = c.col(1) - c.col(0), e2 = c.col(2) - c.col(0);

@@ -1,5 +1,7 @@
 #include "drawing/bound_drawing.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "drawing/paint.h"
@@ -35,7 +37,7 @@ Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& d
                              const Page& page, double resolution) const {
   const Eigen::Vector2d size = (page.sizes() * resolution).array().round().max(1);
   const std::string problem = size_problem(size.x(), size.y());
-  if (!problem.empty()) throw InputError("cannot draw a page of " + problem);
+  if (!problem.empty()) throw InputError(fmt::format("cannot draw a page of {}", problem));
   if (!texture_ && depth.size() == 0) return rasterized(paths_(V), page, resolution);
   const Eigen::Matrix2Xd at = (V.colwise() - page.min()) * resolution;
   const PixelBox box{0, 0, static_cast<int>(size.x()), static_cast<int>(size.y())};

@@ -21,7 +21,7 @@ constexpr double kMargin = 0.04;                       // as a part of the frame
 
 void check(const BoundDrawing& drawing, const DrawingPanel& panel) {
   const auto require = [](bool good, const std::string& what) {
-    if (!good) throw InputError("cannot draw a panel: " + what);
+    if (!good) throw InputError(fmt::format("cannot draw a panel: {}", what));
   };
   const Eigen::Index n = drawing.rest().V.cols(), m = drawing.rest().F.cols();
   const Eigen::Index p = panel.handles.cols();
@@ -175,7 +175,7 @@ Image draw_panel(const BoundDrawing& drawing, const DrawingPanel& panel, const P
   const double scale = width / frame.sizes().x();
   const double height = std::max(1.0, std::round(frame.sizes().y() * scale));
   const std::string problem = size_problem(width, height);
-  if (!problem.empty()) throw InputError("cannot draw a panel of " + problem);
+  if (!problem.empty()) throw InputError(fmt::format("cannot draw a panel of {}", problem));
   Image image(width, static_cast<int>(height));
   if (panel.drawing && panel.loose.cols() == 0)
     lay_over(drawing.picture(panel.V, panel.depth, frame, scale), image);

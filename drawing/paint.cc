@@ -1,6 +1,6 @@
 #include "drawing/paint.h"
 
-#include <cairo.h>
+#include <fmt/format.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -129,7 +129,7 @@ Bitmap rasterized(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2
                   double resolution) {
   const Eigen::Vector2d size = (page.sizes() * resolution).array().round().max(1);
   const std::string problem = size_problem(size.x(), size.y());
-  if (!problem.empty()) throw InputError("cannot paint a page of " + problem);
+  if (!problem.empty()) throw InputError(fmt::format("cannot paint a page of {}", problem));
   return painted(static_cast<int>(size.x()), static_cast<int>(size.y()), [&](cairo_t* cairo) {
     cairo_scale(cairo, resolution, resolution);
     cairo_translate(cairo, -page.min().x(), -page.min().y());

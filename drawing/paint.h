@@ -1,13 +1,13 @@
 #pragma once
 
+#include <cairo.h>
+
 #include <Eigen/Geometry>
 #include <functional>
 #include <vector>
 
 #include "drawing/bitmap/bitmap.h"
 #include "drawing/vector/vector_path.h"
-
-using cairo_t = struct _cairo;
 
 namespace deformlab {
 

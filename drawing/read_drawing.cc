@@ -149,7 +149,8 @@ Drawing read_polygon(const fs::path& path, const DrawingOptions& options) {
     const auto& words = lines.tokens();
     const auto x = to_number(words.front().text), y = to_number(words.back().text);
     if (words.size() != 2 || !x || !y)
-      cannot_read(path, lines.name() + " must be the two coordinates of a corner, 'x y'");
+      cannot_read(path,
+                  fmt::format("{} must be the two coordinates of a corner, 'x y'", lines.name()));
     coordinates.insert(coordinates.end(), {*x, *y});
   }
   const Eigen::Matrix2Xd corners =

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdio>
-
 #include "drawing/vector/write_svg.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -14,12 +11,6 @@ namespace deformlab {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const char* format, double a, double b, double c, double d) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, a, b, c, d);
-  return text;
-}
 
 double resolution_for(const Drawing& drawing, double asked) {
   constexpr double kLeast = 200, kMost = 4000, kAcross = 1000;  // [pixel]
@@ -37,8 +28,9 @@ std::string to_obj(const BoundDrawing& drawing, const Eigen::Matrix2Xd& V) {
   const Eigen::Matrix2Xd places =
       page.sizes().cwiseInverse().asDiagonal() * (drawing.rest().V.colwise() - page.min());
   std::string text;
-  for (const auto& v : V.colwise()) text += text_of("v %.17g %.17g 0\n", v.x(), v.y(), 0, 0);
-  for (const auto& p : places.colwise()) text += text_of("vt %.9g %.9g\n", p.x(), 1 - p.y(), 0, 0);
+  for (const auto& v : V.colwise()) text += fmt::format("v {:.17g} {:.17g} 0\n", v.x(), v.y());
+  for (const auto& p : places.colwise())
+    text += fmt::format("vt {:.9g} {:.9g}\n", p.x(), 1 - p.y());
   for (const auto& f : drawing.rest().F.colwise()) {
     text += "f";
     for (const int corner : f) {
@@ -62,23 +54,25 @@ void write_mesh(const fs::path& out, const BoundDrawing& drawing, const Eigen::M
 std::vector<std::string> growth(const Page& from, const Page& to) {
   const Eigen::Vector2d before = from.min() - to.min(), after = to.max() - from.max();
   if (before.isZero() && after.isZero()) return {};
-  return {text_of("the page grew by %g to the left, %g to the top, %g to the right and %g to the "
-                  "bottom to hold the shape",
-                  before.x(), before.y(), after.x(), after.y()) +
-          text_of("; its first corner is the place (%g, %g)", to.min().x(), to.min().y(), 0, 0)};
+  return {
+      fmt::format("the page grew by {:g} to the left, {:g} to the top, {:g} to the right and {:g} "
+                  "to the bottom "
+                  "to hold the shape; its upper left corner is now at ({:g}, {:g})",
+                  before.x(), before.y(), after.x(), after.y(), to.min().x(), to.min().y())};
 }
 
 }  // namespace
 
 void check_output(const fs::path& out, const Drawing& drawing) {
   const std::string extension = extension_of(out);
-  const std::string begin = "cannot write '" + out.string() + "': ";
   if (extension == ".svg" && drawing.bitmap)
-    throw InputError(begin + "a bitmap has no curves for an SVG; write .png");
+    cannot_write(out, "a bitmap has no curves for an SVG; write .png");
   for (const char* known : {".png", ".svg", ".obj", ".off", ".ply", ".stl"})
     if (extension == known) return;
-  throw InputError(begin + "unknown extension '" + extension +
-                   "'; known for drawings: .png, .svg, .obj, .off, .ply, .stl");
+  cannot_write(out,
+               fmt::format("unknown extension '{}'; known for drawings: .png, .svg, .obj, .off, "
+                           ".ply, .stl",
+                           extension));
 }
 
 std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& drawing,
@@ -86,21 +80,22 @@ std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& 
                                        const DrawingOutputOptions& options) {
   check_options(options);
   check_output(out, drawing.drawing());
-  const double resolution = resolution_for(drawing.drawing(), options.resolution);
-  const Page& own = drawing.drawing().page;
-  const Page page = options.grow ? drawing.page_for(V, 1 / resolution) : own;
+  if (!V.allFinite()) cannot_write(out, "a deformed vertex is not finite");
   const std::string extension = extension_of(out);
   if (extension != ".png" && extension != ".svg") {
     write_mesh(out, drawing, V);
     return {};
   }
+  const double resolution = resolution_for(drawing.drawing(), options.resolution);
+  const Page& own = drawing.drawing().page;
+  const Page page = options.grow ? drawing.page_for(V, 1 / resolution) : own;
   if (extension == ".png") {
     const Eigen::Vector2d size = page.sizes() * resolution;
     const std::string problem = size_problem(std::max(1.0, size.x()), std::max(1.0, size.y()));
     if (!problem.empty())
-      throw InputError("cannot write '" + out.string() + "': it would have " + problem +
-                       "; move the handles less far, lower output.resolution or set "
-                       "output.grow=false");
+      cannot_write(out, fmt::format("it would have {}; move the handles less far, lower "
+                                    "output.resolution or set output.grow=false",
+                                    problem));
     write_png(drawing.picture(V, depth, page, resolution), out);
   } else {
     write_svg(drawing.paths(V), page, out);

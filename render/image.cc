@@ -66,8 +66,8 @@ cairo_font_face_t* load_font() {
   FT_Library library = nullptr;
   FT_Face face = nullptr;
   if (FT_Init_FreeType(&library) != 0 || FT_New_Face(library, kFont, 0, &face) != 0)
-    throw InputError(std::string("cannot set a caption: no font at '") + kFont +
-                     "'; install the package fonts-dejavu-core");
+    throw InputError(fmt::format(
+        "cannot set a caption: no font at '{}'; install the package fonts-dejavu-core", kFont));
   return cairo_ft_font_face_create_for_ft_face(face, 0);
 }
 
@@ -103,10 +103,10 @@ void draw_text(cairo_t* cairo, const std::string& text, double width, double top
   const double size = kFontSize * height;
   const cairo_text_extents_t extents = fit_text(cairo, text, size, 0.96 * width);
   if (cairo_status(cairo) == CAIRO_STATUS_INVALID_STRING)
-    throw InputError("cannot draw the caption '" + text + "': it is not UTF-8");
+    throw InputError(fmt::format("cannot draw the caption '{}': it is not UTF-8", text));
   if (cairo_status(cairo) != CAIRO_STATUS_SUCCESS)
-    throw InputError("cannot draw the caption '" + text +
-                     "': " + cairo_status_to_string(cairo_status(cairo)));
+    throw InputError(fmt::format("cannot draw the caption '{}': {}", text,
+                                 cairo_status_to_string(cairo_status(cairo))));
   cairo_set_source_rgb(cairo, 0.15, 0.15, 0.17);
   cairo_move_to(cairo, (width - extents.width) / 2 - extents.x_bearing,
                 top + height / 2 + 0.36 * size);
@@ -206,7 +206,7 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   };
   const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw InputError("cannot write '" + path.string() + "': " + cairo_status_to_string(status));
+    cannot_write(path, cairo_status_to_string(status));
   }
   write_file(path, bytes);
 }

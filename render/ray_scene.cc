@@ -24,8 +24,7 @@ void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
 }
 
 template <class Ray>
-void set_targets(Ray& ray, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
-                 float until) {
+void aim(Ray& ray, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float until) {
   ray.org_x = origin.x(), ray.org_y = origin.y(), ray.org_z = origin.z();
   ray.dir_x = direction.x(), ray.dir_y = direction.y(), ray.dir_z = direction.z();
   ray.tnear = 0;
@@ -94,7 +93,7 @@ void RayScene::commit() { rtcCommitScene(embree_->scene); }
 std::optional<Hit> RayScene::first_hit(const Eigen::Vector3f& origin,
                                        const Eigen::Vector3f& direction) const {
   RTCRayHit ray;
-  set_targets(ray.ray, origin, direction, std::numeric_limits<float>::infinity());
+  aim(ray.ray, origin, direction, std::numeric_limits<float>::infinity());
   ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -111,7 +110,7 @@ std::optional<Hit> RayScene::first_hit(const Eigen::Vector3f& origin,
 bool RayScene::blocked(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                        float until) const {
   RTCRay ray;
-  set_targets(ray, origin, direction, until);
+  aim(ray, origin, direction, until);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(embree_->scene, &context, &ray);

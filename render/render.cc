@@ -57,8 +57,9 @@ struct Overlay {
 void require_finite(const Eigen::Vector3d& place, double radius, const Color& color,
                     const std::string& what) {
   if (place.allFinite() && std::isfinite(radius) && radius >= 0 && color.allFinite()) return;
-  throw InputError("cannot draw " + what +
-                   ": its position, radius and colour must be finite, and its radius not negative");
+  throw InputError(fmt::format(
+      "cannot draw {}: its position, radius and colour must be finite, and its radius not negative",
+      what));
 }
 
 Eigen::Vector4f framed_ball(const View& view, const Eigen::Vector3d& center, double radius) {
@@ -145,8 +146,9 @@ void render_row(const Scene& scene, int y, int samples, Image& image) {
   for (int x = 0; x < image.width; ++x) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (int i = 0; i < samples * samples; ++i) {
-      const double s = (x + (i % samples + 0.5) / samples) / image.width;
-      const double t = (y + (i / samples + 0.5) / samples) / image.height;
+      const int column = i % samples, row = i / samples;
+      const double s = (x + (column + 0.5) / samples) / image.width;
+      const double t = (y + (row + 0.5) / samples) / image.height;
       const Eigen::Vector3d ray = scene.view.forward +
                                   (2 * s - 1) * scene.view.tan_x * scene.view.right +
                                   (1 - 2 * t) * scene.view.tan_y * scene.view.up;

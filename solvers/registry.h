@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -27,7 +28,8 @@ class Registry {
   /// Throws InputError if the name is empty or taken, or if the factory is empty.
   void add(const std::string& name, Factory factory) {
     if (name.empty()) throw InputError(fmt::format("a {} needs a name to be registered", kind_));
-    if (has(name)) {
+    const std::lock_guard lock(mutex_);
+    if (place_of(name) != factories_.end()) {
       throw InputError(fmt::format(
           "there is a {} '{}' already; choose another name or register it once only", kind_, name));
     }
@@ -36,7 +38,6 @@ class Registry {
           fmt::format("the {} '{}' is registered without a factory; give a function that makes it",
                       kind_, name));
     }
-    const std::lock_guard lock(mutex_);
     factories_.emplace_back(name, std::move(factory));
   }
 
@@ -57,17 +58,22 @@ class Registry {
   }
 
  private:
+  using Entries = std::vector<std::pair<std::string, Factory>>;
+
+  // The caller holds the lock.
+  typename Entries::const_iterator place_of(const std::string& name) const {
+    return std::ranges::find(factories_, name, &Entries::value_type::first);
+  }
+
   Factory find(const std::string& name) const {
     const std::lock_guard lock(mutex_);
-    for (const auto& [known, factory] : factories_) {
-      if (known == name) return factory;
-    }
-    return nullptr;
+    const auto place = place_of(name);
+    return place == factories_.end() ? nullptr : place->second;
   }
 
   std::string kind_;
   mutable std::mutex mutex_;
-  std::vector<std::pair<std::string, Factory>> factories_;
+  Entries factories_;
 };
 
 }  // namespace deformlab

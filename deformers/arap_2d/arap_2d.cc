@@ -9,6 +9,7 @@
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/deformation_graph.h"
+#include "geometry/plane/cross.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -32,8 +33,7 @@ std::unique_ptr<TwoStepSolver> make_steps(const Triangulation& rest, const Eigen
 }
 
 double twice_signed_area(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {
-  const Eigen::Vector2d a = V.col(f[1]) - V.col(f[0]), b = V.col(f[2]) - V.col(f[0]);
-  return a.x() * b.y() - a.y() * b.x();
+  return cross(V.col(f[1]) - V.col(f[0]), V.col(f[2]) - V.col(f[0]));
 }
 
 }  // namespace

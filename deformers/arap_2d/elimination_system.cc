@@ -36,12 +36,11 @@ Sparse<double> change_of_basis(const MeshHandles& handles, Eigen::Index n) {
 template <class Scalar>
 class EliminatedSystem {
  public:
-  void compile(const Sparse<Scalar>& lower, const Sparse<double>& V,
+  void compile(const Sparse<Scalar>& lower, const Sparse<Scalar>& V,
                const std::vector<char>& prescribed) {
     const Sparse<Scalar> A = lower.template selfadjointView<Eigen::Lower>();
-    const Sparse<Scalar> W = V.template cast<Scalar>();
-    const Sparse<Scalar> AW = A * W;
-    Sparse<Scalar> B = W.transpose() * AW;
+    const Sparse<Scalar> AV = A * V;
+    Sparse<Scalar> B = V.transpose() * AV;
     if (!factor_.factorize(
             eliminated(Sparse<Scalar>(B.template triangularView<Eigen::Lower>()), prescribed))) {
       throw InputError(
@@ -87,7 +86,7 @@ class EliminationSystem final : public HandleSystem {
     }
     scratch_.resize(static_cast<Eigen::Index>(largest));
     const Sparse<double> V = change_of_basis(handles, n);
-    if (distinct_) G_.compile(mesh.G, V, prescribed);
+    if (distinct_) G_.compile(mesh.G, V.cast<Complex>(), prescribed);
     H_.compile(mesh.H, V, prescribed);
     z_.resize(n);
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "deformers/handle_checks.h"
+#include "geometry/transfer/cofactors.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -21,13 +22,6 @@ constexpr Eigen::Index kChunk = 512;  // vertices per evaluation of a basis that
 Eigen::Matrix3Xd side_by_side(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
   Eigen::Matrix3Xd result(3, a.cols() + b.cols());
   result << a, b;
-  return result;
-}
-
-// det(F) F⁻ᵀ, which transforms normals even where F is singular.
-Eigen::Matrix3d cofactors(const Eigen::Matrix3d& F) {
-  Eigen::Matrix3d result;
-  result << F.col(1).cross(F.col(2)), F.col(2).cross(F.col(0)), F.col(0).cross(F.col(1));
   return result;
 }
 

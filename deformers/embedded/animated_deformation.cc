@@ -26,7 +26,7 @@ EmbeddedDeformation on_vertices(const Shape& pose, const EmbeddedDeformationOpti
 }
 
 std::vector<int> vertices_at(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& V) {
-  const std::vector<int> vertices = nearest_vertices(g, V);
+  std::vector<int> vertices = nearest_vertices(g, V);
   const double same = kSame * bounding_box_diagonal(V);
   for (Eigen::Index j = 0; j < g.cols(); ++j) {
     const double away = (g.col(j) - V.col(vertices[static_cast<std::size_t>(j)])).norm();

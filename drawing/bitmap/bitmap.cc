@@ -21,7 +21,7 @@ Png make_png(png_image& image) {
 }
 
 std::string cause(const png_image& image) {
-  return std::string(image.message) + "; it is damaged or no PNG";
+  return std::string(image.message) + "; the file is damaged, or it is not a PNG";
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ std::string size_problem(double width, double height) {
   const bool fits = width >= 1 && height >= 1 && width <= kSide && height <= kSide;
   if (fits && width * height <= kMost) return "";
   const auto words = [](double side) {
-    return std::abs(side) < 1e15 ? fmt::format("{}", static_cast<long>(side)) : "endlessly many";
+    return std::abs(side) < 1e15 ? fmt::format("{}", static_cast<long>(side)) : "infinitely many";
   };
   return fmt::format(
       "{}×{} pixels: each side must lie in 1..{}, and both give at most {} million pixels",
@@ -78,7 +78,7 @@ void write_png(const Bitmap& bitmap, const std::filesystem::path& path) {
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
   png_alloc_size_t size = bytes.size();
   if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0, nullptr))
-    throw InputError("cannot write '" + path.string() + "': " + image.message);
+    cannot_write(path, image.message);
   bytes.resize(size);
   write_file(path, bytes);
 }

@@ -72,7 +72,8 @@ Eigen::Vector4d sample(const Bitmap& texture, const Piece& piece, const Eigen::V
   if (n == 1) return bilinear(texture, center);
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
   for (int i = 0; i < n * n; ++i) {
-    const Eigen::Vector2d offset((i % n + 0.5) / n - 0.5, (i / n + 0.5) / n - 0.5);
+    const int column = i % n, row = i / n;
+    const Eigen::Vector2d offset((column + 0.5) / n - 0.5, (row + 0.5) / n - 0.5);
     sum += bilinear(texture, center + J * offset);
   }
   return sum / (n * n);

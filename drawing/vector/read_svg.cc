@@ -241,7 +241,7 @@ VectorDrawing read_svg(const std::filesystem::path& path) {
   const NormalizedSvg svg = normalized_svg(read_file(path), path);
   VectorDrawing drawing;
   drawing.notes = svg.notes;
-  Reader(svg, drawing);
+  const Reader reader(svg, drawing);
   if (drawing.paths.empty()) {
     std::string what = "it paints no path";
     for (const std::string& note : svg.notes) what += "; " + note;

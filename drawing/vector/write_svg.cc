@@ -104,7 +104,7 @@ class Writer {
 
   std::string define(const Outlines& clip) {
     pugi::xml_node node = definitions_.append_child("clipPath");
-    const std::string id = "clip" + std::to_string(++count_);
+    std::string id = "clip" + std::to_string(++count_);
     set(node, "id", id);
     pugi::xml_node path = node.append_child("path");
     set(path, "d", to_data(clip));
@@ -115,7 +115,7 @@ class Writer {
   std::string define(const Paint& paint, const GradientFrame& frame) {
     const bool radial = paint.kind == Paint::Kind::kRadial;
     pugi::xml_node node = definitions_.append_child(radial ? "radialGradient" : "linearGradient");
-    const std::string id = "paint" + std::to_string(++count_);
+    std::string id = "paint" + std::to_string(++count_);
     set(node, "id", id);
     set(node, "gradientUnits", "userSpaceOnUse");
     const auto& m = frame.to_page.matrix();

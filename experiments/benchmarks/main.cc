@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -190,17 +191,17 @@ int run(bool filtered) {
 }  // namespace deformlab
 
 int main(int argc, char** argv) {
-  bool filtered = false;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    filtered = filtered || argument.starts_with("--benchmark_filter") ||
-               argument.starts_with("--benchmark_list");
-  }
-  benchmark::Initialize(&argc, argv, deformlab::print_help);
-  gflags::ParseCommandLineFlags(&argc, &argv, true);
   try {
+    bool filtered = false;
+    for (int i = 1; i < argc; ++i) {
+      const std::string_view argument = argv[i];
+      filtered = filtered || argument.starts_with("--benchmark_filter") ||
+                 argument.starts_with("--benchmark_list");
+    }
+    benchmark::Initialize(&argc, argv, deformlab::print_help);
+    gflags::ParseCommandLineFlags(&argc, &argv, true);
     return deformlab::run(filtered);
-  } catch (const deformlab::InputError& error) {
+  } catch (const std::exception& error) {
     std::fprintf(stderr, "deformlab_bench: %s\n", error.what());
     return 1;
   }

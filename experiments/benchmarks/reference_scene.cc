@@ -32,7 +32,8 @@ Shape bumpy_plane(int n) {
   Shape shape;
   shape.V.resize(3, n * n);
   for (int i = 0; i < n * n; ++i) {
-    const double x = double(i % n) / (n - 1), y = double(i / n) / (n - 1);
+    const int column = i % n, row = i / n;
+    const double x = double(column) / (n - 1), y = double(row) / (n - 1);
     const double k = 10 * std::numbers::pi;
     shape.V.col(i) << x, y, 0.02 * std::sin(k * x) * std::sin(k * y);
   }

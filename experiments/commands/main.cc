@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
@@ -46,15 +47,15 @@ int dispatch(const std::string& command, const std::vector<std::string>& argumen
     std::fputs((command == "help" ? help_text() : list_text()).c_str(), stdout);
     return 0;
   }
-  throw InputError("unknown command " + quote(command) + "; " +
-                   known_names(command, {"run", "deform", "animate", "list", "help"}));
+  throw InputError(fmt::format("unknown command {}; {}", quote(command),
+                               known_names(command, {"run", "deform", "animate", "list", "help"})));
 }
 
 std::string value_of(const std::string& name, const std::string& type, int argc, char** argv,
                      int& i) {
   if (type == "bool") return "true";
   if (++i < argc) return argv[i];
-  throw InputError("--" + name + " needs a value");
+  throw InputError(fmt::format("--{} needs a value", name));
 }
 
 // The parser of gflags would end the program with status 1 and would not suggest a flag.
@@ -71,15 +72,16 @@ std::vector<std::string> parse_flags(int argc, char** argv) {
     const std::string name = argument.substr(begin, equals - begin);
     gflags::CommandLineFlagInfo flag;
     if (!gflags::GetCommandLineFlagInfo(name.c_str(), &flag)) {
-      throw InputError("unknown flag " + quote(argument) + "; " +
-                       known_names(name, {"out", "edit", "frames", "particles", "metrics",
-                                          "picture", "nodes", "vertices", "strict"}));
+      throw InputError(
+          fmt::format("unknown flag {}; {}", quote(argument),
+                      known_names(name, {"out", "edit", "frames", "particles", "metrics", "picture",
+                                         "nodes", "vertices", "strict"})));
     }
     const std::string value = equals < argument.size() ? argument.substr(equals + 1)
                                                        : value_of(name, flag.type, argc, argv, i);
     if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty()) {
-      throw InputError("wrong value " + quote(value) + " for --" + name + "; expected " +
-                       flag.type);
+      throw InputError(
+          fmt::format("wrong value {} for --{}; expected {}", quote(value), name, flag.type));
     }
   }
   return others;

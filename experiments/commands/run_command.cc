@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <map>
 
@@ -57,9 +59,9 @@ void check_names(const std::vector<fs::path>& configs) {
   for (const fs::path& config : configs) {
     const auto [first, is_new] = by_name.emplace(config.stem(), config);
     if (is_new) continue;
-    throw InputError("'" + first->second.string() + "' and '" + config.string() +
-                     "' would write one folder '" + config.stem().string() +
-                     "'; run them with different --out");
+    throw InputError(
+        fmt::format("'{}' and '{}' would write one folder '{}'; run them with different --out",
+                    first->second.string(), config.string(), config.stem().string()));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "experiments/config/config_node.h"
 
+#include <fmt/format.h>
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
@@ -12,6 +13,7 @@
 
 #include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
+#include "geometry/core/files.h"
 
 namespace deformlab {
 namespace {
@@ -26,8 +28,9 @@ std::string place(const std::shared_ptr<const ConfigSource>& source, int line) {
 }
 
 [[noreturn]] void throw_too_deep(const std::string& where) {
-  throw InputError("nested deeper than " + std::to_string(kMaxConfigDepth) + " levels (" + where +
-                   "); is a bracket left open, or does an alias contain itself?");
+  throw InputError(fmt::format(
+      "nested deeper than {} levels ({}); is a bracket left open, or does an alias contain itself?",
+      kMaxConfigDepth, where));
 }
 
 /// Throws at the start of a second document. YAML::Load would ignore it, and YAML::LoadAll never
@@ -39,8 +42,9 @@ class SecondDocument : public YAML::EventHandler {
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (++count_ < 2) return;
-    throw InputError("a second YAML document, or a stray sign before it (" +
-                     place(source_, mark.line + 1) + "); keep one document");
+    throw InputError(
+        fmt::format("a second YAML document, or a stray sign before it ({}); keep one document",
+                    place(source_, mark.line + 1)));
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
@@ -98,21 +102,22 @@ class Converter {
   void check_limits(const ConfigNode& node, int depth) {
     if (depth > kMaxConfigDepth) throw_too_deep(node.where());
     if (++count_ > kMaxNodes) {
-      throw InputError("more than " + std::to_string(kMaxNodes) + " values (" + node.where() +
-                       ") with all aliases expanded; make the file smaller");
+      throw InputError(
+          fmt::format("more than {} values ({}) with all aliases expanded; make the file smaller",
+                      kMaxNodes, node.where()));
     }
   }
 
   static void check_tag(const std::string& tag, const ConfigNode& node) {
     const bool plain = tag.empty() || tag == "?" || tag == "!";
     if (plain || tag.starts_with("tag:yaml.org,2002:")) return;
-    throw InputError("unknown tag " + quote(tag) + " (" + node.where() + "); leave it out");
+    throw InputError(fmt::format("unknown tag {} ({}); leave it out", quote(tag), node.where()));
   }
 
   [[noreturn]] void throw_duplicate(const std::string& key, int first, int second) const {
     const std::string also = source_->is_file ? "line " + std::to_string(first) + " and " : "";
-    throw InputError("duplicate key " + quote(key) + " (" + also + place(source_, second) +
-                     "); keep one of them");
+    throw InputError(fmt::format("duplicate key {} ({}{}); keep one of them", quote(key), also,
+                                 place(source_, second)));
   }
 
   void add_entries(const YAML::Node& yaml, int depth, ConfigNode& map) {
@@ -120,14 +125,15 @@ class Converter {
     for (const auto& entry : yaml) {
       const int line = std::max(entry.first.Mark().line + 1, 1);
       if (!entry.first.IsScalar()) {
-        throw InputError("a key must be a name (" + place(source_, line) + ")");
+        throw InputError(fmt::format("a key must be a name ({})", place(source_, line)));
       }
       const std::string& key = entry.first.Scalar();
       const auto [first, is_new] = lines.emplace(key, line);
       if (!is_new) throw_duplicate(key, first->second, line);
       if (key == "<<") {
-        throw InputError("merge key '<<' (" + place(source_, line) +
-                         ") is not supported; write its keys out, or use an alias as a value");
+        throw InputError(fmt::format(
+            "merge key '<<' ({}) is not supported; write its keys out, or use an alias as a value",
+            place(source_, line)));
       }
       map.children.push_back(convert(entry.second, depth + 1, line));
       map.children.back().key = key;
@@ -141,17 +147,16 @@ class Converter {
 
 /// Unlike read_file, this also reads a pipe, so that a shell can generate the config of a run.
 std::string read_text(const std::filesystem::path& path) {
-  const std::string cannot = "cannot read " + quote(path.string()) + ": ";
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw InputError(cannot + "it is a folder");
-  if (!std::filesystem::exists(path, ignored)) throw InputError(cannot + "no such file");
+  if (std::filesystem::is_directory(path, ignored)) cannot_read(path, "it is a folder");
+  if (!std::filesystem::exists(path, ignored)) cannot_read(path, "no such file");
   std::ifstream file(path, std::ios::binary);
   std::string text(kMaxBytes + 1, '\0');
-  if (!file) throw InputError(cannot + "permission denied");
+  if (!file) cannot_read(path, "permission denied");
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) throw InputError(cannot + "reading failed");
-  if (text.size() > kMaxBytes) throw InputError(cannot + "larger than 32 MiB");
+  if (file.bad()) cannot_read(path, "reading failed");
+  if (text.size() > kMaxBytes) cannot_read(path, "larger than 32 MiB");
   return text;
 }
 
@@ -236,7 +241,8 @@ ConfigNode parse_yaml(const std::string& text, std::shared_ptr<const ConfigSourc
   } catch (const YAML::DeepRecursion& error) {
     throw_too_deep(place(source, error.mark.line + 1));
   } catch (const YAML::Exception& error) {
-    throw InputError("not valid YAML (" + place(source, error.mark.line + 1) + "): " + error.msg);
+    throw InputError(
+        fmt::format("not valid YAML ({}): {}", place(source, error.mark.line + 1), error.msg));
   }
   return Converter(std::move(source)).convert(document, 0, 1);
 }
@@ -245,10 +251,11 @@ ConfigNode load_config(const std::filesystem::path& path) {
   ConfigSource source{path.string(), path.parent_path()};
   ConfigNode root =
       parse_yaml(read_text(path), std::make_shared<const ConfigSource>(std::move(source)));
-  if (root.kind == ConfigNode::Kind::kNull) throw InputError(quote(path.string()) + " is empty");
+  if (root.kind == ConfigNode::Kind::kNull)
+    throw InputError(fmt::format("{} is empty", quote(path.string())));
   if (root.kind != ConfigNode::Kind::kMap) {
-    throw InputError("the top level must be a map of keys (" + root.where() + "), found " +
-                     root.found());
+    throw InputError(fmt::format("the top level must be a map of keys ({}), found {}", root.where(),
+                                 root.found()));
   }
   return root;
 }

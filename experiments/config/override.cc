@@ -1,5 +1,7 @@
 #include "experiments/config/override.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <utility>
 
@@ -14,15 +16,15 @@ std::vector<std::string> split_key(const std::string& key, const std::string& wh
   for (std::size_t begin = 0; begin <= key.size();) {
     const std::size_t end = std::min(key.find('.', begin), key.size());
     if (end == begin) {
-      throw InputError(whose +
-                       " has an empty name in its key; write names joined by single dots, "
-                       "such as graph.nodes");
+      throw InputError(fmt::format(
+          "{} has an empty name in its key; write names joined by single dots, such as graph.nodes",
+          whose));
     }
     names.push_back(key.substr(begin, end - begin));
     begin = end + 1;
   }
   if (names.size() > static_cast<std::size_t>(kMaxConfigDepth)) {
-    throw InputError(whose + " has more than " + std::to_string(kMaxConfigDepth) + " names");
+    throw InputError(fmt::format("{} has more than {} names", whose, kMaxConfigDepth));
   }
   return names;
 }
@@ -32,9 +34,9 @@ ConfigNode& element(ConfigNode& list, const std::string& name, const std::string
   const char* end = name.data() + name.size();
   const auto [last, error] = std::from_chars(name.data(), end, index);
   if (error != std::errc() || last != end || index >= list.children.size()) {
-    throw InputError(whose + ": no element " + quote(name) + " in the list (" + list.where() +
-                     "), which has " + std::to_string(list.children.size()) +
-                     " elements, counted from 0");
+    throw InputError(
+        fmt::format("{}: no element {} in the list ({}), which has {} elements, counted from 0",
+                    whose, quote(name), list.where(), list.children.size()));
   }
   return list.children[index];
 }
@@ -43,8 +45,8 @@ ConfigNode& step(ConfigNode& node, const std::string& name,
                  const std::shared_ptr<const ConfigSource>& source) {
   if (node.kind == ConfigNode::Kind::kList) return element(node, name, source->name);
   if (node.kind == ConfigNode::Kind::kScalar) {
-    throw InputError(source->name + " looks for " + quote(name) + " inside " + node.found() + " (" +
-                     node.where() + "), which is not a map");
+    throw InputError(fmt::format("{} looks for {} inside {} ({}), which is not a map", source->name,
+                                 quote(name), node.found(), node.where()));
   }
   node.kind = ConfigNode::Kind::kMap;
   if (ConfigNode* child = node.find(name)) return *child;
@@ -58,21 +60,21 @@ ConfigNode& step(ConfigNode& node, const std::string& name,
 void check_values(const ConfigNode& values, const std::string& whose) {
   const bool named = values.kind == ConfigNode::Kind::kMap;
   if ((!named && values.kind != ConfigNode::Kind::kList) || values.children.empty()) {
-    throw InputError(whose +
-                     " needs a list of one value or more, or maps of keys by their names, found " +
-                     values.found());
+    throw InputError(fmt::format(
+        "{} needs a list of one value or more, or maps of keys by their names, found {}", whose,
+        values.found()));
   }
   for (const ConfigNode& row : values.children) {
     if (!named || (row.kind == ConfigNode::Kind::kMap && !row.children.empty())) continue;
-    throw InputError(whose + ": " + quote(row.key) + " (" + row.key_where() +
-                     ") must map keys of the config to values, found " + row.found());
+    throw InputError(fmt::format("{}: {} ({}) must map keys of the config to values, found {}",
+                                 whose, quote(row.key), row.key_where(), row.found()));
   }
 }
 
 void check_sweep(const ConfigNode& sweep) {
   if (sweep.kind != ConfigNode::Kind::kMap) {
-    throw InputError("'sweep' must map dotted keys to lists (" + sweep.where() + "), found " +
-                     sweep.found());
+    throw InputError(fmt::format("'sweep' must map dotted keys to lists ({}), found {}",
+                                 sweep.where(), sweep.found()));
   }
   std::size_t runs = 1;
   for (const ConfigNode& values : sweep.children) {
@@ -81,8 +83,8 @@ void check_sweep(const ConfigNode& sweep) {
     check_values(values, whose);
     runs *= values.children.size();
     if (runs > kMaxSweepRuns) {
-      throw InputError(whose + " makes more than " + std::to_string(kMaxSweepRuns) +
-                       " runs; shorten the lists");
+      throw InputError(
+          fmt::format("{} makes more than {} runs; shorten the lists", whose, kMaxSweepRuns));
     }
   }
 }
@@ -93,7 +95,8 @@ Override parse_override(std::string_view text) {
   const std::string whose = "override " + quote(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0) {
-    throw InputError(whose + " must have the form key=value, such as graph.nodes=300");
+    throw InputError(
+        fmt::format("{} must have the form key=value, such as graph.nodes=300", whose));
   }
   Override change{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1)), {}};
   split_key(change.key, whose);

@@ -1,5 +1,7 @@
 #include "experiments/subjects/claims.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -29,8 +31,8 @@ double metric(const Metrics& metrics, const Claim& claim, const std::string& mea
   if (found != metrics.end()) return found->second;
   std::vector<std::string> known;
   for (const auto& [name, value] : metrics) known.push_back(name);
-  throw InputError("claim '" + claim.name + "': unknown measure " + quote(measure) + "; " +
-                   known_names(measure, known));
+  throw InputError(fmt::format("claim '{}': unknown measure {}; {}", claim.name, quote(measure),
+                               known_names(measure, known)));
 }
 
 double measure(const Metrics& metrics, const Claim& claim) {
@@ -45,7 +47,7 @@ std::vector<double> values(const Claim& claim, const ConfigNode& filter,
     if (matches(run, filter)) result.push_back(measure(run.metrics, claim));
   }
   if (result.empty()) {
-    throw InputError("claim '" + claim.name + "': no run has " + to_yaml_line(filter));
+    throw InputError(fmt::format("claim '{}': no run has {}", claim.name, to_yaml_line(filter)));
   }
   return result;
 }
@@ -129,15 +131,17 @@ std::string ClaimResult::line() const {
 void check_form(const Claim& claim) {
   const std::string whose = "claim '" + claim.name + "'";
   if (!claim.at_least && !claim.at_most && !claim.equals) {
-    throw InputError(whose + " expects nothing: give at_least, at_most or equals");
+    throw InputError(fmt::format("{} expects nothing: give at_least, at_most or equals", whose));
   }
   if ((claim.over == ClaimOver::kExponent) == claim.against.empty()) {
-    throw InputError(whose + ": 'over: exponent' needs 'against', and nothing else does");
+    throw InputError(
+        fmt::format("{}: 'over: exponent' needs 'against', and nothing else does", whose));
   }
   for (const ConfigNode* filter : {&claim.where, &claim.versus}) {
     if (filter->kind == ConfigNode::Kind::kNull || filter->kind == ConfigNode::Kind::kMap) continue;
-    throw InputError(whose + " (" + filter->where() + "): 'where' and 'versus' are maps of keys " +
-                     "and values, found " + filter->found());
+    throw InputError(
+        fmt::format("{} ({}): 'where' and 'versus' are maps of keys and values, found {}", whose,
+                    filter->where(), filter->found()));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "experiments/subjects/experiment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <optional>
@@ -26,9 +28,10 @@ void check_not_swept(const std::vector<Override>& overrides, const ConfigNode& s
       const bool same = change.key == swept->key || change.key.starts_with(swept->key + ".") ||
                         swept->key.starts_with(change.key + ".");
       if (!same) continue;
-      throw InputError("override " + quote(change.text()) + ": the config sweeps over '" +
-                       swept->key + "' itself (" + swept->key_where() +
-                       "); override 'sweep={...}' instead, or 'sweep=null' for a single run");
+      throw InputError(
+          fmt::format("override {}: the config sweeps over '{}' itself ({}); override "
+                      "'sweep={{...}}' instead, or 'sweep=null' for a single run",
+                      quote(change.text()), swept->key, swept->key_where()));
     }
   }
 }
@@ -59,8 +62,9 @@ void check_swept_keys(const ConfigNode& sweep) {
     const std::string key = swept->key.substr(0, swept->key.find('.'));
     for (const char* whole : {"title", "paper", "picture", "sweep", "claims"}) {
       if (key != whole) continue;
-      throw InputError("the sweep over " + quote(swept->key) + " (" + swept->key_where() +
-                       ") changes no run: '" + key + "' is one for all of them");
+      throw InputError(
+          fmt::format("the sweep over {} ({}) changes no run: '{}' is one for all of them",
+                      quote(swept->key), swept->key_where(), key));
     }
   }
 }

@@ -24,10 +24,11 @@ void check_output(const Output& output) {
         fmt::format("{}there is no folder '{}'; make it first", cannot, folder.string()));
   }
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
-    throw InputError(cannot + "it is a folder or a device; name a file");
+    throw InputError(fmt::format("{}it is a folder or a device; name a file", cannot));
   }
   const fs::path trial = fmt::format("{}.partial{}", file, getpid());
-  if (!std::ofstream(trial)) throw InputError(cannot + "its folder takes no new file");
+  if (!std::ofstream(trial))
+    throw InputError(fmt::format("{}its folder takes no new file", cannot));
   fs::remove(trial, error);
 }
 
@@ -60,7 +61,7 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<Out
 
 void check_picture_name(const std::string& path) {
   if (path.empty() || fs::path(path).extension() == ".png") return;
-  throw InputError("--picture '" + path + "': a picture's name must end in .png");
+  throw InputError(fmt::format("--picture '{}': a picture's name must end in .png", path));
 }
 
 }  // namespace deformlab

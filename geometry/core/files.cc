@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void cannot_write(const fs::path& out, const std::string& why) {
-  throw InputError("cannot write '" + out.string() + "': " + why);
-}
-
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
@@ -26,6 +22,10 @@ fs::path folder_of(const fs::path& file) {
 
 void cannot_read(const fs::path& path, const std::string& what) {
   throw InputError("cannot read '" + path.string() + "': " + what);
+}
+
+void cannot_write(const fs::path& path, const std::string& what) {
+  throw InputError("cannot write '" + path.string() + "': " + what);
 }
 
 std::string read_file(const fs::path& path) {

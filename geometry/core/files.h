@@ -10,6 +10,9 @@ namespace deformlab {
 /// Throws InputError: cannot read 'PATH': WHAT.
 [[noreturn]] void cannot_read(const std::filesystem::path& path, const std::string& what);
 
+/// Throws InputError: cannot write 'PATH': WHAT.
+[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& what);
+
 /// All bytes of a file. Throws InputError where it is missing, not a file, empty or not readable.
 std::string read_file(const std::filesystem::path& path);
 

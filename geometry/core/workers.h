@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -12,7 +13,9 @@ namespace deformlab {
 /// results do not depend on it either. With one thread a call is a loop that allocates nothing.
 class Workers {
  public:
-  explicit Workers(int threads = 1) : threads_(threads), arena_(std::max(threads, 1)) {}
+  ///   threads  0: as many as the machine has
+  explicit Workers(int threads = 1)
+      : threads_(threads > 0 ? threads : tbb::info::default_concurrency()), arena_(threads_) {}
 
   int threads() const { return threads_; }
 

@@ -98,7 +98,7 @@ std::vector<int> grid_nodes(const Shape& shape, int m) {
     middles(u, j) = low[u] + (j % cells.a + 0.5) / cells.a * extent[u];
     middles(v, j) = low[v] + (static_cast<int>(j / cells.a) + 0.5) / cells.b * extent[v];
   }
-  const std::vector<int> nodes = nearest_vertices(middles, flat);
+  std::vector<int> nodes = nearest_vertices(middles, flat);
   std::vector<int> sorted = nodes;
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

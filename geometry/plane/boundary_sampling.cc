@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/plane/cross.h"
 #include "geometry/plane/polygons.h"
 
 namespace deformlab {
@@ -53,7 +54,10 @@ class Curve {
  private:
   Index size() const { return P_.cols(); }
   Eigen::Vector2d at(Index i) const { return P_.col(i % size()); }
-  double along(Index i) const { return along_[i % size()] + (i / size()) * around_; }
+  double along(Index i) const {
+    const Index turns = i / size();
+    return along_[i % size()] + turns * around_;
+  }
 
   void cut(const Eigen::Matrix2Xd& polygon, const Spacing& spacing);
   void find_corners();
@@ -106,7 +110,7 @@ double Curve::turn(Index i) const {
   const double reach = std::min(kReach, around_ / 4);
   const Eigen::Vector2d before = at(i) - at(index(along(i + size()) - reach));
   const Eigen::Vector2d after = at(index(along(i) + reach)) - at(i);
-  return std::abs(std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after)));
+  return std::abs(std::atan2(cross(before, after), before.dot(after)));
 }
 
 // Takes the sharpest corners first and none within reach of a sharper one. A curve without a sharp

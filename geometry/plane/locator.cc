@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/core/error.h"
+#include "geometry/plane/cross.h"
 
 namespace deformlab {
 namespace {
@@ -32,10 +33,6 @@ Corners corners(const Triangulation& mesh, Eigen::Index triangle) {
 Box box(const Corners& triangle) {
   const Eigen::Vector2d low = triangle.rowwise().minCoeff(), high = triangle.rowwise().maxCoeff();
   return {{low[0], low[1]}, {high[0], high[1]}};
-}
-
-double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-  return u[0] * v[1] - u[1] * v[0];
 }
 
 // Barycentric coordinates of the point on the edge from corner k that is nearest to a given point.

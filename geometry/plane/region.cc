@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/plane/cross.h"
+
 namespace deformlab {
 namespace {
 
@@ -40,9 +42,7 @@ Eigen::Matrix2Xd from_cgal(const Polygon& polygon) {
 double signed_area(const Eigen::Matrix2Xd& polygon) {
   double twice = 0;  // measured from a corner, so that a region far from the origin loses no digits
   for (Eigen::Index i = 2; i < polygon.cols(); ++i) {
-    const Eigen::Vector2d u = polygon.col(i - 1) - polygon.col(0);
-    const Eigen::Vector2d v = polygon.col(i) - polygon.col(0);
-    twice += u[0] * v[1] - u[1] * v[0];
+    twice += cross(polygon.col(i - 1) - polygon.col(0), polygon.col(i) - polygon.col(0));
   }
   return twice / 2;
 }

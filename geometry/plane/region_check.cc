@@ -1,12 +1,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <fmt/format.h>
 
 #include <optional>
-#include <sstream>
 
-#include "geometry/core/error.h"
 #include "geometry/plane/polygons.h"
 #include "geometry/plane/region.h"
-#include "geometry/shape/shape.h"
+#include "geometry/shape/usable.h"
 
 namespace deformlab {
 namespace {
@@ -14,48 +13,30 @@ namespace {
 using Eigen::Index;
 
 // Polygon 0 is the outline. The holes follow.
-[[noreturn]] void reject(const std::string& name, const std::string& what) {
-  throw InputError("cannot use '" + name + "': " + what);
-}
-
 std::string called(int polygon) {
-  return polygon == 0 ? "the outline" : "hole " + std::to_string(polygon - 1);
+  return polygon == 0 ? "the outline" : fmt::format("hole {}", polygon - 1);
 }
 
-std::string written(const Eigen::Vector2d& p) {
-  std::ostringstream text;
-  text << "(" << p[0] << ", " << p[1] << ")";
-  return text.str();
-}
+std::string written(const Eigen::Vector2d& p) { return fmt::format("({:g}, {:g})", p[0], p[1]); }
 
 Eigen::Matrix2Xd without_repeated(const Eigen::Matrix2Xd& polygon, int number,
                                   const std::string& name) {
   std::vector<Index> kept;
   for (Index i = 0; i < polygon.cols(); ++i) {
     if (!polygon.col(i).allFinite()) {
-      reject(name, "corner " + std::to_string(i) + " of " + called(number) +
-                       " (counted from 0) is at " + written(polygon.col(i)) +
-                       "; every number must be finite");
+      cannot_use(name,
+                 fmt::format("corner {} of {} (counted from 0) is at {}; every number must be "
+                             "finite",
+                             i, called(number), written(polygon.col(i))));
     }
     if (kept.empty() || polygon.col(i) != polygon.col(kept.back())) kept.push_back(i);
   }
   while (kept.size() > 1 && polygon.col(kept.back()) == polygon.col(kept[0])) kept.pop_back();
   if (kept.size() < 3) {
-    reject(name, called(number) + " has " + std::to_string(kept.size()) +
-                     " different corners; at least 3 are needed");
+    cannot_use(name, fmt::format("{} has {} different corners; at least 3 are needed",
+                                 called(number), kept.size()));
   }
   return polygon(Eigen::all, kept);
-}
-
-// The fourth power of a length, which occurs in areas and energies, must be in a double's range.
-void check_extent(const Eigen::Matrix2Xd& outline, const std::string& name) {
-  const double across = (outline.rowwise().maxCoeff() - outline.rowwise().minCoeff()).stableNorm();
-  const double farthest = outline.cwiseAbs().maxCoeff();
-  if (across >= kLeastLength && across <= kMostLength && farthest <= kMostLength) return;
-  std::ostringstream what;
-  what << "it is " << across << " across and reaches " << farthest
-       << " from the origin; allowed are " << kLeastLength << " to " << kMostLength << ": scale it";
-  reject(name, what.str());
 }
 
 std::array<Eigen::Vector2d, 2> ends(const Polygons& polygons, const PolygonEdge& edge) {
@@ -65,8 +46,8 @@ std::array<Eigen::Vector2d, 2> ends(const Polygons& polygons, const PolygonEdge&
 
 std::string described(const Polygons& polygons, const PolygonEdge& edge) {
   const auto [from, to] = ends(polygons, edge);
-  return "edge " + std::to_string(edge.corner) + " of " + called(edge.polygon) + ", " +
-         written(from) + " to " + written(to) + ",";
+  return fmt::format("edge {} of {}, {} to {},", edge.corner, called(edge.polygon), written(from),
+                     written(to));
 }
 
 std::string meeting_place(const Polygons& polygons, const PolygonEdge& e, const PolygonEdge& f) {
@@ -89,19 +70,21 @@ void check_crossings(const Polygons& polygons, const std::string& name) {
   });
   if (!first) return;
   const auto& [e, f] = *first;
-  reject(name, described(polygons, e) + " meets " + described(polygons, f) +
-                   meeting_place(polygons, e, f) +
-                   "; polygons may neither cross nor touch themselves or each other");
+  cannot_use(name, fmt::format("{} meets {}{}; polygons may neither cross nor touch themselves or "
+                               "each other",
+                               described(polygons, e), described(polygons, f),
+                               meeting_place(polygons, e, f)));
 }
 
 void check_nesting(const Polygons& polygons, const std::string& name) {
   const std::vector<std::vector<int>> around = nesting(polygons);
   for (int h = 1; h < static_cast<int>(polygons.size()); ++h) {
     if (around[h].empty() || around[h][0] != 0)
-      reject(name, called(h) + " is not inside the outline");
+      cannot_use(name, fmt::format("{} is not inside the outline", called(h)));
     if (around[h].size() == 1) continue;
-    reject(name, called(h) + " is inside " + called(around[h].back()) +
-                     "; holes must be apart: leave it out, or make it a shape of its own");
+    cannot_use(name, fmt::format("{} is inside {}; holes must be apart: leave it out, or make it a "
+                                 "shape of its own",
+                                 called(h), called(around[h].back())));
   }
 }
 

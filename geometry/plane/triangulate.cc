@@ -1,13 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
-#include "geometry/core/error.h"
 #include "geometry/plane/boundary_sampling.h"
 #include "geometry/plane/delaunay_mesh.h"
 #include "geometry/plane/polygons.h"
 #include "geometry/plane/triangulation.h"
+#include "geometry/shape/usable.h"
 
 namespace deformlab {
 namespace {
@@ -98,9 +99,10 @@ class Mesher {
     check_apart(sampled);
     auto mesh = delaunay_mesh(sampled, spacing, {passes, least, most});
     if (mesh) return *std::move(mesh);
-    throw InputError("cannot use '" + name_ + "': good triangles would have more than " +
-                     std::to_string(most) +
-                     " vertices, so thin are its parts; make them thicker or leave them out");
+    cannot_use(name_,
+               fmt::format("its parts are so thin that good triangles would have more than {} "
+                           "vertices; make them thicker or leave them out",
+                           most));
   }
 
   // Computations with triangles lose more digits, the thinner the triangles are.
@@ -111,12 +113,10 @@ class Mesher {
     const auto corner = corner_near_edge(polygons, least);
     if (!corner) return;
     const Eigen::Vector2d place = polygons[corner->polygon].col(corner->corner);
-    std::ostringstream what;
-    what << "cannot use '" << name_ << "': at (" << place[0] << ", " << place[1]
-         << ") its boundary is less than " << least
-         << " from itself, a billionth of the greatest coordinate; leave such detail out, or move "
-            "it all to the origin";
-    throw InputError(what.str());
+    cannot_use(name_, fmt::format("at ({:g}, {:g}) its boundary is less than {:g} from itself, a "
+                                  "billionth of the greatest coordinate; leave such detail out, or "
+                                  "move it all to the origin",
+                                  place[0], place[1], least));
   }
 
   const Region& region_;

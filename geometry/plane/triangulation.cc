@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/plane/cross.h"
+
 namespace deformlab {
 
 TriangleQuality quality(const Triangulation& mesh) {
@@ -13,7 +15,7 @@ TriangleQuality quality(const Triangulation& mesh) {
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector2d u = mesh.V.col(t[(k + 1) % 3]) - mesh.V.col(t[k]);
       const Eigen::Vector2d v = mesh.V.col(t[(k + 2) % 3]) - mesh.V.col(t[k]);
-      twice_area = std::abs(u[0] * v[1] - u[1] * v[0]);
+      twice_area = std::abs(cross(u, v));
       const double angle = std::atan2(twice_area, u.dot(v)) * 180 / std::numbers::pi;
       result.least_angle = std::min(result.least_angle, angle);
       product *= u.norm();

@@ -1,17 +1,16 @@
 #include "geometry/shape/shape.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <sstream>
 
 #include "geometry/core/error.h"
+#include "geometry/shape/usable.h"
 
 namespace deformlab {
 namespace {
-
-[[noreturn]] void reject(const std::string& name, const std::string& what) {
-  throw InputError("cannot use '" + name + "': " + what);
-}
 
 void check_finite(const Eigen::Matrix3Xd& columns, const char* kind, const std::string& name) {
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
@@ -19,20 +18,8 @@ void check_finite(const Eigen::Matrix3Xd& columns, const char* kind, const std::
     std::ostringstream what;
     what << "vertex " << i << " (counted from 0) has the " << kind << " ("
          << columns.col(i).transpose() << "); every number must be finite";
-    reject(name, what.str());
+    cannot_use(name, what.str());
   }
-}
-
-// The fourth power of a length, which occurs in areas and energies, must be in a double's range.
-void check_scale(const Eigen::Matrix3Xd& V, const std::string& name) {
-  const double across = bounding_box_diagonal(V);
-  const double farthest = V.cwiseAbs().maxCoeff();
-  const bool usable = across == 0 || (across >= kLeastLength && across <= kMostLength);
-  if (usable && farthest <= kMostLength) return;
-  std::ostringstream what;
-  what << "it is " << across << " across and reaches " << farthest
-       << " from the origin; allowed are " << kLeastLength << " to " << kMostLength << ": scale it";
-  reject(name, what.str());
 }
 
 void check_faces(const Shape& shape, const std::string& name) {
@@ -40,24 +27,40 @@ void check_faces(const Shape& shape, const std::string& name) {
   for (std::size_t f = 0; f < shape.faces.size(); ++f) {
     for (const int v : shape.faces[f]) {
       if (v >= 0 && v < count) continue;
-      reject(name, "face " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                       " (both counted from 0), but there are " + std::to_string(count) +
-                       " vertices");
+      cannot_use(name,
+                 fmt::format("face {} names vertex {} (both counted from 0), but there are {} "
+                             "vertices",
+                             f, v, count));
     }
   }
 }
 
 }  // namespace
 
+void cannot_use(const std::string& name, const std::string& what) {
+  throw InputError(fmt::format("cannot use '{}': {}", name, what));
+}
+
+void check_extent(const Eigen::Ref<const Eigen::MatrixXd>& points, const std::string& name) {
+  const double across = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).stableNorm();
+  const double farthest = points.cwiseAbs().maxCoeff();
+  const bool usable = across == 0 || (across >= kLeastLength && across <= kMostLength);
+  if (usable && farthest <= kMostLength) return;
+  cannot_use(name,
+             fmt::format("it is {:g} across and reaches {:g} from the origin; allowed are {:g} "
+                         "to {:g}: scale it",
+                         across, farthest, kLeastLength, kMostLength));
+}
+
 void check(const Shape& shape, const std::string& name) {
-  if (shape.V.cols() == 0) reject(name, "it has no vertices");
+  if (shape.V.cols() == 0) cannot_use(name, "it has no vertices");
   if (shape.N.cols() != 0 && shape.N.cols() != shape.V.cols()) {
-    reject(name, "it has " + std::to_string(shape.N.cols()) + " normals for " +
-                     std::to_string(shape.V.cols()) + " vertices; allowed are none or one each");
+    cannot_use(name, fmt::format("it has {} normals for {} vertices; allowed are none or one each",
+                                 shape.N.cols(), shape.V.cols()));
   }
   check_finite(shape.V, "position", name);
   check_finite(shape.N, "normal", name);
-  check_scale(shape.V, name);
+  check_extent(shape.V, name);
   check_faces(shape, name);
 }
 

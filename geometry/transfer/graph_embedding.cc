@@ -91,7 +91,8 @@ std::vector<int> members(const std::vector<int>& of_vertex, std::size_t group) {
 // The embedding by distances that are known for as many nodes at every vertex. With fewer than k+1
 // nodes the farthest gives d_max, and a single node has weight 1, as in `embed`.
 VertexEmbedding embed_by(const NearestSources& nearest, const Eigen::Matrix3Xd& V) {
-  const Eigen::Index found = std::min<Eigen::Index>(nearest.found.minCoeff(), nearest.sources.rows());
+  const Eigen::Index found =
+      std::min<Eigen::Index>(nearest.found.minCoeff(), nearest.sources.rows());
   const Eigen::Index k = std::max<Eigen::Index>(1, found - 1), n = V.cols();
   Embedding e{V, nearest.sources.topRows(k), Eigen::MatrixXd(k, n)};
   Eigen::VectorXd distances(k + 1);

@@ -1,21 +1,14 @@
 #include "geometry/transfer/transfer.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <vector>
 
 #include "geometry/core/workers.h"
 #include "geometry/transfer/blend.h"
+#include "geometry/transfer/cofactors.h"
 
 namespace deformlab {
 namespace {
-
-// det(R) R^{-T}: its columns are the cross products of R's.
-Eigen::Matrix3d cofactors(const Eigen::Matrix3d& R) {
-  Eigen::Matrix3d C;
-  C << R.col(1).cross(R.col(2)), R.col(2).cross(R.col(0)), R.col(0).cross(R.col(1));
-  return C;
-}
 
 // R_j^{-T} of each node, or its cofactor matrix where R_j has no inverse, 3×3m.
 Eigen::Matrix3Xd inverse_transposes(const Transformations& X) {

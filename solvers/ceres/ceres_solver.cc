@@ -1,6 +1,7 @@
 #include "solvers/ceres/ceres_solver.h"
 
 #include <ceres/ceres.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -170,14 +171,16 @@ ceres::Solver::Options ceres_options(const SolverOptions& options) {
                                              &o.trust_region_strategy_type) &&
       ceres::StringToSparseLinearAlgebraLibraryType(upper(name_of(options.ceres_sparse_library)),
                                                     &o.sparse_linear_algebra_library_type);
-  if (!known) throw InputError("this version of ceres does not know linear_solver " + linear);
+  if (!known)
+    throw InputError(fmt::format("this version of ceres does not know linear_solver {}", linear));
   o.max_num_iterations = options.max_iterations;
   o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;  // Eq. 12 decides
   o.update_state_every_iteration = true;
   o.logging_type = ceres::SILENT;
   o.num_threads = options.threads;
   std::string error;
-  if (!o.IsValid(&error)) throw InputError("ceres does not take these options: " + error);
+  if (!o.IsValid(&error))
+    throw InputError(fmt::format("ceres does not take these options: {}", error));
   return o;
 }
 

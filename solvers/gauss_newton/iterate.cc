@@ -72,7 +72,8 @@ bool Iterate::compute_regular_direction(double damping) {
     regular = count(steps_.direction(linearization_, added, D_, delta_));
   }
   if (summary_->notes.empty()) {
-    summary_->notes.emplace_back("JᵀJ is singular: some motion changes no term; damped");
+    summary_->notes.emplace_back(
+        "JᵀJ is singular, because some motion changes no term, so the steps are damped");
   }
   return regular;
 }

@@ -30,7 +30,8 @@ Strip strip(double bumps = 0.02) {
   Shape& shape = result.shape;
   shape.V.resize(3, nx * ny);
   for (int i = 0; i < nx * ny; ++i) {
-    const double x = 4.0 * (i % nx) / (nx - 1), y = 0.5 * (i / nx) / (ny - 1);
+    const int column = i % nx, row = i / nx;
+    const double x = 4.0 * column / (nx - 1), y = 0.5 * row / (ny - 1);
     shape.V.col(i) << x, y, bumps * std::sin(8 * x) * std::sin(12 * y);
     if (i % nx < held) result.handles.fixed.push_back(i);
     if (i % nx >= nx - held) result.handles.moved.push_back(i);

@@ -9,6 +9,7 @@ namespace deformlab::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The first node stays, the last goes up.
 const char* const kStreamEdit =
@@ -112,6 +113,16 @@ TEST_F(AnimateParticles, DrawsAndMeasuresThem) {
   EXPECT_FALSE(m.contains("speed_correlation"));  // all are as fast
   expect_success(words(more));
   EXPECT_TRUE(get("p.png") == picture);
+}
+
+TEST_F(AnimateParticles, OnlyAnotherMethodReplacesTheDefaultLinearSolver) {
+  const auto solver = [&](const std::string& setting) -> std::string {
+    expect_success(words({"--metrics", "m.json", setting}));
+    return nlohmann::json::parse(get("m.json")).at("linear_solver");
+  };
+  EXPECT_EQ(solver("solver.threads=1"), "kronecker_cg");
+  EXPECT_EQ(solver("solver.linear_solver=cholmod"), "cholmod");
+  EXPECT_THAT(solver("solver.method=ceres"), Not("kronecker_cg"));
 }
 
 TEST_F(AnimateParticles, KeepsOtherColumnsBlanksAndLineEnds) {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab {
 namespace {
@@ -22,12 +22,7 @@ std::filesystem::path write(const std::string& name, const std::string& text) {
 }
 
 std::string load_error(const std::filesystem::path& path) {
-  try {
-    load_config(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { load_config(path); });
 }
 
 TEST(Config, UnusableFilesAreNamed) {

@@ -8,6 +8,7 @@
 #include "experiments/config/override.h"
 #include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab {
 namespace {
@@ -91,12 +92,7 @@ Options read(const std::string& text, const std::vector<std::string>& overrides 
 
 /// The message of the InputError that reading the text gives, or "" where it gives none.
 std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    read(text, overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { read(text, overrides); });
 }
 
 const char* const kFull = R"(shape: a b.off

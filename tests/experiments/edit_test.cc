@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab {
 namespace {
@@ -33,12 +34,7 @@ ResolvedEdit resolved(const std::string& text) { return resolve(read(text), row_
 
 /// The message of the InputError that reading and resolving gives, or "" where it gives none.
 std::string error_of(const std::string& text) {
-  try {
-    resolved(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { resolved(text); });
 }
 
 std::filesystem::path write(const std::string& name, const std::string& text) {

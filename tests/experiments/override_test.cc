@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab {
 namespace {
@@ -69,12 +70,7 @@ TEST(Sweep, NamedMapsSetTheirKeysTogether) {
 
 TEST(Sweep, RefusesWhatIsNoSweep) {
   const auto error = [](const std::string& text) -> std::string {
-    try {
-      expand_sweep(parse(text));
-    } catch (const InputError& caught) {
-      return caught.what();
-    }
-    return "";
+    return test::error_of([&] { expand_sweep(parse(text)); });
   };
   EXPECT_THAT(error("a: [1]\nb: []"), HasSubstr("sweep over 'b' (line 2 of c.yaml) needs a list"));
   EXPECT_THAT(error("a: 3"), HasSubstr("found '3'"));

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab {
 namespace {
@@ -29,12 +29,7 @@ std::vector<EditEntry> read(const std::string& text) {
 ResolvedEdit resolved(const std::string& text) { return resolve(read(text), square()); }
 
 std::string error_of(const std::string& text) {
-  try {
-    resolved(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { resolved(text); });
 }
 
 TEST(PlaneEdit, TakesTwoCoordinates) {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -180,12 +181,7 @@ TEST(Surface, LiesBetweenTheStraightLineAndThePath) {
 
 TEST(Surface, NeedsAManifoldMesh) {
   const auto refused = [](const Shape& shape) -> std::string {
-    try {
-      nearest_along_surface(shape, std::vector<int>{0}, 1);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { nearest_along_surface(shape, std::vector<int>{0}, 1); });
   };
   EXPECT_THAT(refused(point_set(10)), HasSubstr("no faces"));
   Shape fins = bumpy_plane(10);

@@ -9,6 +9,7 @@
 #include "geometry/core/error.h"
 #include "geometry/graph/graph_vertices.h"
 #include "geometry/transfer/geodesic.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -38,12 +39,7 @@ GraphOptions with_file(const std::string& text) {
 
 std::string refused(const Shape& shape, const GraphOptions& options,
                     const std::vector<Cut>& cuts = {}) {
-  try {
-    build_graph(shape, options, cuts);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { build_graph(shape, options, cuts); });
 }
 
 // What every graph promises.
@@ -269,12 +265,7 @@ TEST(BuildGraph, ShapesThatDoNotGoWithTheOptions) {
 
 TEST(BuildGraph, NodesThatCannotBe) {
   const auto refused = [](const Eigen::Matrix3Xd& nodes) -> std::string {
-    try {
-      build_graph(bumpy_plane(5), nodes, {});
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { build_graph(bumpy_plane(5), nodes, {}); });
   };
   EXPECT_THAT(refused(Eigen::Matrix3Xd(3, 0)), HasSubstr("without nodes"));
   Eigen::Matrix3Xd nodes = bumpy_plane(3).V;

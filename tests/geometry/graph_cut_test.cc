@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab::test {
 namespace {
@@ -14,12 +14,7 @@ using ::testing::HasSubstr;
 
 std::string refused(Eigen::Index vertices, const std::vector<int>& nodes,
                     const std::vector<Cut>& cuts) {
-  try {
-    group(vertices, nodes, cuts);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { group(vertices, nodes, cuts); });
 }
 
 TEST(Cut, WithoutCutsAllAreOneGroup) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab::test {
 namespace {
@@ -20,12 +21,7 @@ DeformationGraph reading(const std::string& text) {
 }
 
 std::string refused(const std::string& text) {
-  try {
-    reading(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { reading(text); });
 }
 
 const std::string kThree = "v 0 0 0\nv 1 0 0\nv 2 0 0\n";

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -21,12 +21,7 @@ Shape stretched(int n, const Eigen::Vector3d& factors) {
 }
 
 std::string refused(const Shape& shape, int m) {
-  try {
-    grid_nodes(shape, m);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { grid_nodes(shape, m); });
 }
 
 TEST(Grid, TakesTheVertexInTheMiddleOfEachCell) {

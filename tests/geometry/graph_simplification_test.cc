@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -19,12 +19,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string refused(const Shape& shape, int m, double ratio) {
-  try {
-    simplify(shape, m, ratio);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { simplify(shape, m, ratio); });
 }
 
 double worst_ratio(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {
@@ -108,12 +109,7 @@ TEST(Interpenetration, DoesNotDependOnMotionOrUnits) {
 TEST(Interpenetration, RefusesDepthsThatDoNotFit) {
   const Triangulation mesh = two_sheets(2, {0, 0});
   const auto refused = [&](const Eigen::Matrix3Xd& depth) -> std::string {
-    try {
-      measured(mesh, depth);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { measured(mesh, depth); });
   };
   EXPECT_EQ(refused(Eigen::Matrix3Xd::Zero(3, 15)),
             "depths of 15 triangles cannot be measured on 16; each triangle needs three that are "

@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {
@@ -367,12 +367,7 @@ TEST(OverlapFinder, TakesMeshesThatAreNoManifold) {
 TEST(OverlapFinder, RefusesWhatDoesNotFit) {
   const Triangulation mesh = sheet(3, 3);
   const auto refused = [&](Triangulation rest, const Eigen::Matrix2Xd& V) -> std::string {
-    try {
-      overlaps(rest, V);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { overlaps(rest, V); });
   };
   EXPECT_EQ(refused(mesh, Eigen::Matrix2Xd::Zero(2, 8)),
             "there are 8 deformed vertices; at rest there are 9");

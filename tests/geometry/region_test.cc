@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab::test {
 namespace {
@@ -27,12 +27,7 @@ Eigen::Matrix2Xd square(double low, double high) {
 
 /// The message of what `checked` throws, empty where it throws nothing.
 std::string refused(const Region& region) {
-  try {
-    checked(region, "it");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { checked(region, "it"); });
 }
 
 TEST(CheckedRegion, TurnsPolygonsAndDropsRepeatedCorners) {

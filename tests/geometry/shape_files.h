@@ -8,8 +8,8 @@
 #include <iterator>
 #include <string>
 
-#include "geometry/core/error.h"
 #include "geometry/shape/shape_io.h"
+#include "tests/support/errors.h"
 
 namespace deformlab {
 
@@ -35,12 +35,7 @@ inline std::string get(const std::filesystem::path& path) {
 
 /// What read_shape says about a file of these bytes; empty where it reads them.
 inline std::string reading(const std::string& name, const std::string& bytes) {
-  try {
-    read_shape(put(name, bytes));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { read_shape(put(name, bytes)); });
 }
 
 /// The bytes of a number, in the machine's order or the other one.

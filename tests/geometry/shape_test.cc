@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 
 namespace deformlab {
 namespace {
@@ -25,12 +25,7 @@ Shape square() {
 }
 
 std::string complaint(const Shape& shape) {
-  try {
-    check(shape, "thing");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { check(shape, "thing"); });
 }
 
 TEST(Shape, CheckAcceptsUnusedVerticesAndRepeatedFaces) {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-#include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/plane.h"
 
 namespace deformlab::test {
@@ -24,12 +24,7 @@ Triangulation cut(const Region& region, int vertices, double uneven = 1) {
 }
 
 std::string refused(const Region& region, const TriangulationOptions& options = {}) {
-  try {
-    triangulate(region, options, "it");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { triangulate(region, options, "it"); });
 }
 
 double area(const Triangulation& mesh, Eigen::Index t) {
@@ -265,9 +260,10 @@ TEST(Triangulate, RefusesOptionsOutOfRange) {
 
 TEST(Triangulate, RefusesRegionsThatCannotBeMeshed) {
   EXPECT_THAT(refused({polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), {}}), HasSubstr("meets edge 2"));
-  EXPECT_EQ(refused({box(0, 0, 1e6, 1), {}}),
-            "cannot use 'it': good triangles would have more than 100000 vertices, so thin are its "
-            "parts; make them thicker or leave them out");
+  EXPECT_EQ(
+      refused({box(0, 0, 1e6, 1), {}}),
+      "cannot use 'it': its parts are so thin that good triangles would have more than 100000 "
+      "vertices; make them thicker or leave them out");
   EXPECT_THAT(refused({box(0, 0, 1, 1), {box(1e-10, 0.3, 0.5, 0.6)}}),
               AllOf(HasSubstr("cannot use 'it': at (0, 0"),
                     HasSubstr("its boundary is less than 1e-09 from itself")));
@@ -298,12 +294,7 @@ class Flat : public ::testing::Test {
   Flat() { shape_ = to_shape(sheet(4, 3)); }
 
   std::string refused() const {
-    try {
-      flat(shape_, "it");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { flat(shape_, "it"); });
   }
 
   Shape shape_;

@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 
-#include "geometry/core/error.h"
 // The next two are extracted from CONTRIBUTING.md when the tests are configured.
 #include "solvers/gauss_newton/globalization/nonmonotone.h"
 #include "solvers/linear/dense_cholesky.h"
 #include "tests/solvers/ladder.h"
+#include "tests/support/errors.h"
 
 namespace deformlab::test {
 namespace {
@@ -42,16 +42,6 @@ TEST_F(Registered, GlobalizationFindsTheMinimum) {
     expect_same_minimum(problem, gauss_newton("cholmod", "line_search", kTight),
                         gauss_newton(linear_solver, "nonmonotone", kTight));
   }
-}
-
-template <class Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST_F(Registered, NamesAreUnique) {

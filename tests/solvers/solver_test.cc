@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/problems.h"
 #include "tests/support/shapes.h"
 
@@ -13,12 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string error_of(const SolverOptions& options) {
-  try {
-    make_solver(options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { make_solver(options); });
 }
 
 std::vector<SolverOptions> every_method() {
@@ -94,13 +90,10 @@ TEST(SolverOptions, NumbersOutOfRangeAreErrors) {
 
 std::string error_of_solve(const SolverOptions& options, Problem& problem, bool compile) {
   const auto solver = make_solver(options);
-  try {
+  return test::error_of([&] {
     if (compile) solver->compile(problem);
     solver->solve(problem);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(Misuse, IsRefusedWithTheMistakeAndTheCure) {

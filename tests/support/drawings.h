@@ -13,6 +13,7 @@
 #include "drawing/bitmap/bitmap.h"
 #include "geometry/core/error.h"
 #include "geometry/plane/triangulation.h"
+#include "tests/support/errors.h"
 
 namespace deformlab::test {
 
@@ -46,12 +47,7 @@ class FolderTest : public ::testing::Test {
 
 /// What an InputError says; empty where nothing is thrown.
 inline std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { action(); });
 }
 
 /// A disc of changing colours with a rim one pixel wide, on transparent ground.
@@ -74,9 +70,10 @@ inline Bitmap disc(int width, int height, const Eigen::Vector2d& center, double 
 /// A grid of n×n vertices over the box from `a` to `b`, squares cut in two.
 inline Triangulation grid_mesh(int n, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   Triangulation mesh{Eigen::Matrix2Xd(2, n * n), Eigen::Matrix3Xi(3, 2 * (n - 1) * (n - 1))};
-  for (int i = 0; i < n * n; ++i)
-    mesh.V.col(i) =
-        a + (b - a).cwiseProduct(Eigen::Vector2d(double(i % n), double(i / n)) / (n - 1));
+  for (int i = 0; i < n * n; ++i) {
+    const int column = i % n, row = i / n;
+    mesh.V.col(i) = a + (b - a).cwiseProduct(Eigen::Vector2d(column, row) / (n - 1));
+  }
   int f = 0;
   for (int y = 0; y + 1 < n; ++y)
     for (int x = 0; x + 1 < n; ++x) {

@@ -10,7 +10,10 @@ Triangulation shaken_grid(int n, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> shake(-0.2, 0.2);
   Triangulation mesh{Eigen::Matrix2Xd(2, n * n), Eigen::Matrix3Xi(3, 2 * (n - 1) * (n - 1))};
-  for (int i = 0; i < n * n; ++i) mesh.V.col(i) << i % n + shake(random), i / n + shake(random);
+  for (int i = 0; i < n * n; ++i) {
+    const int x = i % n, y = i / n;
+    mesh.V.col(i) << x + shake(random), y + shake(random);
+  }
   mesh.V *= 3.0 / (n - 1);
   for (int y = 0, f = 0; y + 1 < n; ++y) {
     for (int x = 0; x + 1 < n; ++x) {

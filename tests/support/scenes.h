@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace deformlab::test {
@@ -11,8 +13,8 @@ inline std::string plane_off(int n = 9, double side = 1) {
   std::string text =
       "OFF\n" + std::to_string(n * n) + " " + std::to_string((n - 1) * (n - 1)) + " 0\n";
   for (int i = 0; i < n * n; ++i) {
-    text += std::to_string(side * (i % n) / (n - 1)) + " " +
-            std::to_string(side * (i / n) / (n - 1)) + " 0\n";
+    const int column = i % n, row = i / n;
+    text += fmt::format("{:f} {:f} 0\n", side * column / (n - 1), side * row / (n - 1));
   }
   for (int a = 0; a + n < n * n; ++a) {
     if (a % n == n - 1) continue;

@@ -13,7 +13,8 @@ inline Shape bumpy_plane(int n, double side = 1, double height = 0.02) {
   Shape shape;
   shape.V.resize(3, n * n);
   for (int i = 0; i < n * n; ++i) {
-    const double x = double(i % n) / (n - 1), y = double(i / n) / (n - 1);
+    const int column = i % n, row = i / n;
+    const double x = double(column) / (n - 1), y = double(row) / (n - 1);
     const double z = height * std::sin(10 * std::numbers::pi * x + 0.3) * std::cos(9 * y);
     shape.V.col(i) = side * Eigen::Vector3d(x, y, z);
   }
@@ -33,8 +34,9 @@ inline Shape tube(int rings) {
   Shape shape;
   shape.V.resize(3, rings * kSectors);
   for (int i = 0; i < rings * kSectors; ++i) {
-    const double angle = 2 * std::numbers::pi * (i % kSectors) / kSectors;
-    shape.V.col(i) << 0.5 * (i / kSectors), std::cos(angle), std::sin(angle);
+    const int ring = i / kSectors, sector = i % kSectors;
+    const double angle = 2 * std::numbers::pi * sector / kSectors;
+    shape.V.col(i) << 0.5 * ring, std::cos(angle), std::sin(angle);
   }
   for (int i = 0; i + kSectors < rings * kSectors; ++i) {
     const int next = i % kSectors == kSectors - 1 ? i + 1 - kSectors : i + 1;

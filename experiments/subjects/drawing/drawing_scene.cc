@@ -22,9 +22,10 @@ fs::path find_drawing(const std::string& file, const fs::path& folder) {
     std::error_code ignored;
     if (fs::is_regular_file(place, ignored)) return place;
   }
-  throw InputError("drawing.file '" + file +
-                   "' is neither beside the config, nor in the working folder, nor in the "
-                   "packages openclipart-svg and openclipart-png");
+  throw InputError(
+      fmt::format("drawing.file '{}' is neither beside the config, nor in the working folder, nor "
+                  "in the packages openclipart-svg and openclipart-png",
+                  file));
 }
 
 /// One entry of `paint:`.
@@ -60,11 +61,11 @@ std::vector<ReadCoat> read_coats(const ConfigNode& list) {
     read.folder = node.folder();
     read_value(node, "paint", read.coat);
     if (read.coat.select.has_value() == read.coat.mask.has_value()) {
-      throw InputError(read.where + ": give either 'select' or 'mask'");
+      throw InputError(fmt::format("{}: give either 'select' or 'mask'", read.where));
     }
     if (read.coat.select) check_selection(*read.coat.select, read.where);
     if (!(read.coat.weight > 0 && std::isfinite(read.coat.weight))) {
-      throw InputError(read.where + ": the weight must be a positive number");
+      throw InputError(fmt::format("{}: the weight must be a positive number", read.where));
     }
   }
   return coats;
@@ -125,7 +126,7 @@ void paint(DrawingScene& scene, const ConfigNode& list) {
       any = true;
       scene.weights[f] = read.coat.weight;
     }
-    if (!any) throw InputError(read.where + " paints no triangle; make it larger");
+    if (!any) throw InputError(fmt::format("{} paints no triangle; make it larger", read.where));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "experiments/subjects/drawing/plane_edit.h"
 
+#include <fmt/format.h>
+
 #include "experiments/config/config.h"
 #include "geometry/core/error.h"
 #include "geometry/plane/locator.h"
@@ -39,7 +41,8 @@ void lift_rotation(ConfigNode& node) {
   }
   if (node.kind != ConfigNode::Kind::kMap) return;
   if (node.find("axis")) {
-    throw InputError("a drawing turns in its plane: leave 'axis' out (" + node.where() + ")");
+    throw InputError(
+        fmt::format("a drawing turns in its plane: leave 'axis' out ({})", node.where()));
   }
   if (ConfigNode* center = node.find("center")) lift_point(*center, "rotate.center");
   ConfigNode axis = scalar(node, "");
@@ -62,7 +65,8 @@ void lift_selection(ConfigNode& select) {
     if (ConfigNode* center = circle->find("center")) lift_point(*center, "circle.center");
     circle->key = "sphere";
   } else if (const ConfigNode* sphere = select.find("sphere")) {
-    throw InputError("a drawing has no sphere; take 'circle' (" + sphere->key_where() + ")");
+    throw InputError(
+        fmt::format("a drawing has no sphere; take 'circle' ({})", sphere->key_where()));
   }
 }
 

@@ -77,7 +77,8 @@ ParticleCache::ParticleCache(std::filesystem::path path) : path_(std::move(path)
     ordered = ordered && row->frame >= frames_.last;
     frames_ = {std::min(frames_.first, row->frame), std::max(frames_.last, row->frame)};
   }
-  if (rows_ == 0) throw InputError("'" + path_.string() + "' has no particles, only a header");
+  if (rows_ == 0)
+    throw InputError(fmt::format("'{}' has no particles, only a header", path_.string()));
   if (!ordered) keep();
   for_each_frame([&](int, ParticleFrame frame) { check_ids(frame); });
 }

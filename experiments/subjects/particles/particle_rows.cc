@@ -44,7 +44,7 @@ ParticleReader::ParticleReader(const std::filesystem::path& path)
     : name_(path.string()), file_(path, std::ios::binary) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored) || !file_) {
-    throw InputError("cannot read the particles in '" + name_ + "': no such file");
+    throw InputError(fmt::format("cannot read the particles in '{}': no such file", name_));
   }
   read_header();
 }
@@ -88,8 +88,8 @@ double ParticleReader::coordinate(int column) const {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc() && end == text.data() + text.size();
   if (!whole || !(std::abs(value) <= kMostLength)) {
-    reject(std::string(kColumns[column]) + " is " + quote(std::string(text)) +
-           "; it is a finite number");
+    reject(fmt::format("{} is {}; it has to be a finite number", kColumns[column],
+                       quote(std::string(text))));
   }
   return value;
 }
@@ -100,8 +100,8 @@ Integer ParticleReader::integer(int column) const {
   Integer value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size()) return value;
-  reject(std::string(kColumns[column]) + " is " + quote(std::string(text)) +
-         "; it is a whole number");
+  reject(fmt::format("{} is {}; it has to be a whole number", kColumns[column],
+                     quote(std::string(text))));
 }
 
 std::optional<ParticleRow> ParticleReader::next() {

@@ -9,13 +9,13 @@ namespace deformlab {
 namespace {
 
 struct CutEntry {
-  Selection between, and_;
+  Selection between, other;
   std::string where;
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit.required("between", o.between, "Vertices, selected as in an edit");
-    visit.required("and", o.and_, "Vertices that must not follow the same nodes as the first");
+    visit.required("and", o.other, "Vertices that must not follow the same nodes as the first");
   }
 };
 
@@ -28,7 +28,7 @@ std::vector<CutEntry> read_cuts(const ConfigNode& list) {
     entry.where = fmt::format("cut {} ({})", entries.size(), node.where());
     read_value(node, "cut", entry);
     check_selection(entry.between, entry.where);
-    check_selection(entry.and_, entry.where);
+    check_selection(entry.other, entry.where);
   }
   return entries;
 }
@@ -39,7 +39,7 @@ std::vector<Cut> resolve_cuts(const ConfigNode& list, const Shape& rest) {
   std::vector<Cut> cuts;
   for (const CutEntry& entry : read_cuts(list)) {
     cuts.push_back({select_vertices(entry.between, rest, entry.where),
-                    select_vertices(entry.and_, rest, entry.where), entry.where});
+                    select_vertices(entry.other, rest, entry.where), entry.where});
   }
   return cuts;
 }

@@ -5,14 +5,11 @@
 #include <algorithm>
 
 #include "geometry/core/error.h"
+#include "geometry/plane/cross.h"
 #include "geometry/plane/overlap/overlap_triangles.h"
 
 namespace deformlab {
 namespace {
-
-double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-  return u[0] * v[1] - u[1] * v[0];
-}
 
 // A triangle with a depth at each corner. The depth is linear in between.
 struct Slope {
@@ -75,9 +72,10 @@ Eigen::Matrix3Xd triangle_depths(const Eigen::VectorXd& depth) {
 Interpenetration interpenetration(const Triangulation& deformed, const Overlaps& overlaps,
                                   const Eigen::Matrix3Xd& depth) {
   if (depth.cols() != deformed.F.cols() || !depth.allFinite()) {
-    throw InputError("depths of " + std::to_string(depth.cols()) +
-                     " triangles cannot be measured on " + std::to_string(deformed.F.cols()) +
-                     "; each triangle needs three that are finite");
+    throw InputError(
+        fmt::format("depths of {} triangles cannot be measured on {}; each triangle needs three "
+                    "that are finite",
+                    depth.cols(), deformed.F.cols()));
   }
   Interpenetration result;
   for (const OverlapRegion& region : overlaps.regions) {

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plane/cross.h"
+
 namespace deformlab {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-  return u[0] * v[1] - u[1] * v[0];
-}
 
 }  // namespace
 

@@ -17,13 +17,13 @@ constexpr double kMostCondition = 1e5;  // beyond it, conjugate gradients are no
 std::string reason_to_factor(const Problem& problem) {
   const auto unknowns = problem.x.X.size();
   if (unknowns < kFewUnknowns) return fmt::format("there are only {} unknowns", unknowns);
-  bool Kronecker = false;
+  bool has_kronecker = false;
   for (const WeightedEnergy& term : problem.terms) {
-    Kronecker |= term.structure() == Structure::kKronecker && term.energy->size() > 0;
+    has_kronecker |= term.structure() == Structure::kKronecker && term.energy->size() > 0;
     if (term.structure() != Structure::kLinear) continue;
     return fmt::format("the term '{}' mixes the coordinates", term.energy->name());
   }
-  return Kronecker ? "" : "no term is Kronecker";
+  return has_kronecker ? "" : "no term is Kronecker";
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ void AutoSteps::compile(const Linearization& linearization) {
 
 StepResult AutoSteps::direction(const Linearization& linearization, double damping,
                                 const Eigen::VectorXd& D, Eigen::VectorXd& delta) {
-  const StepResult tried = chosen().direction(linearization, damping, D, delta);
+  StepResult tried = chosen().direction(linearization, damping, D, delta);
   unfinished_ |= !tried.finished;
   if (direct_ || (tried.regular && !unfinished_)) return tried;
   use_factorization(
@@ -92,7 +92,7 @@ StepResult AutoSteps::direction(const Linearization& linearization, double dampi
 
 StepResult AutoSteps::geodesic_correction(const Linearization& linearization,
                                           const Eigen::VectorXd& q, Eigen::VectorXd& c) {
-  const StepResult result = chosen().geodesic_correction(linearization, q, c);
+  StepResult result = chosen().geodesic_correction(linearization, q, c);
   unfinished_ |= !result.finished;
   return result;
 }
