@@ -114,7 +114,7 @@ Report lift(const Shape& shape, const EmbeddedDeformationOptions& options) {
   for (int i = 0; i < shape.V.cols(); i += 10) handles.moved.push_back(i);
   deformer.compile(handles);
   const Eigen::Matrix3Xd rest = shape.V(Eigen::all, handles.moved);
-  const Report report = deformer.update(rest.colwise() + Eigen::Vector3d(0, 0, 0.2));
+  Report report = deformer.update(rest.colwise() + Eigen::Vector3d(0, 0, 0.2));
   EXPECT_EQ(deformer.deformed().V.cols(), shape.V.cols());
   EXPECT_EQ(deformer.deformed().N.cols(), shape.N.cols());
   EXPECT_EQ(deformer.deformed().faces, shape.faces);

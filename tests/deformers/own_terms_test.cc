@@ -8,6 +8,7 @@
 #include "energies/graph/sums.h"
 #include "energies/register_energy.h"
 #include "geometry/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 // Terms that a program adds without a change of the library.
@@ -23,8 +24,9 @@ Shape ball() {
   shape.V.resize(3, kNorth + 2);
   shape.V.rightCols<2>() << 0, 0, 0, 0, 2, -2;
   for (int i = 0; i < kNorth; ++i) {
-    const double z = std::numbers::pi * (i / kSectors + 1) / (kRings + 1);
-    const double angle = 2 * std::numbers::pi * (i % kSectors) / kSectors;
+    const int ring = i / kSectors, sector = i % kSectors;
+    const double z = std::numbers::pi * (ring + 1) / (kRings + 1);
+    const double angle = 2 * std::numbers::pi * sector / kSectors;
     shape.V.col(i) << std::sin(z) * std::cos(angle), std::sin(z) * std::sin(angle), std::cos(z);
     shape.V.col(i) *= 2;
   }
@@ -163,12 +165,9 @@ TEST(OwnTerm, WithAStructureThatItDoesNotHaveIsRefused) {
     EmbeddedDeformationOptions options = twenty_nodes(method);
     options.extra_terms.push_back(
         {[](const GraphContext& c) { return to_energy(over_nodes<FalseStructure>(c)); }, 1});
-    try {
-      EmbeddedDeformation(ball(), options);
-      ADD_FAILURE() << "accepted by " << name_of(method);
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("'false_structure' declares its structure as Kronecker"));
-    }
+    EXPECT_THAT(error_of([&] { const EmbeddedDeformation deformer(ball(), options); }),
+                HasSubstr("'false_structure' declares its structure as Kronecker"))
+        << name_of(method);
   }
 }
 
@@ -184,12 +183,8 @@ TEST(OwnTerm, NeedsAFunctionAndAWeight) {
 TEST(OwnTerm, ThatIsUnknownOrHasUnknownOptionsIsRefused) {
   EmbeddedDeformationOptions options = twenty_nodes();
   options.energies["orientation"] = {1, {{"most", 1.0}}};
-  try {
-    EmbeddedDeformation(ball(), options);
-    ADD_FAILURE() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("energies.orientation.most; known: weight, least"));
-  }
+  EXPECT_THAT(error_of([&] { const EmbeddedDeformation deformer(ball(), options); }),
+              HasSubstr("energies.orientation.most; known: weight, least"));
 }
 
 }  // namespace

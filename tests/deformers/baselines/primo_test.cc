@@ -20,7 +20,8 @@ Shape strip(int columns, int rows) {
   Shape shape;
   shape.V.resize(3, columns * rows);
   for (int i = 0; i < columns * rows; ++i) {
-    shape.V.col(i) << 2.0 * (i % columns) / (columns - 1), 0.2 * (i / columns) / (rows - 1), 0;
+    const int x = i % columns, y = i / columns;
+    shape.V.col(i) << 2.0 * x / (columns - 1), 0.2 * y / (rows - 1), 0;
   }
   for (int y = 0; y + 1 < rows; ++y) {
     for (int x = 0; x + 1 < columns; ++x) {
