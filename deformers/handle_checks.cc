@@ -53,6 +53,13 @@ void check_count(Eigen::Index given, const char* what, const Handles& handles) {
 void check_motions(const Handles& handles) {
   check_count(std::ssize(handles.groups), "groups", handles);
   check_count(handles.rotations.cols(), "rotations", handles);
+  check_count(handles.weights.size(), "weights", handles);
+  for (Eigen::Index l = 0; l < handles.weights.size(); ++l) {
+    if (handles.weights[l] > 0 && std::isfinite(handles.weights[l])) continue;
+    throw InputError(fmt::format(
+        "weight {} (counted from 0) of a handle is {:.6g}; it must be a finite number above 0", l,
+        handles.weights[l]));
+  }
   for (Eigen::Index l = 0; l < handles.rotations.cols(); ++l) {
     const Eigen::Vector3d turn = handles.rotations.col(l);
     if (turn.allFinite() || turn.array().isNaN().all()) continue;
@@ -71,6 +78,13 @@ void check_handles(const Handles& handles, Eigen::Index vertices) {
   check_once(handles.fixed, handles.moved);
   check_finite(handles.points, "handle point");
   check_motions(handles);
+}
+
+void refuse_weights(const Handles& handles) {
+  if (handles.weights.size() == 0) return;
+  throw InputError(
+      "the edit gives a 'weight' to handles, but this method holds every handle exactly; leave "
+      "'weight' out, or use deformer=embedded_deformation");
 }
 
 void check_targets(const Eigen::Matrix3Xd& targets, Eigen::Index count) {

@@ -8,9 +8,13 @@
 namespace deformlab {
 
 /// Throws InputError for a vertex that does not exist, is both fixed and moved or is moved twice,
-/// for a point that is not finite, and for rotations or groups that are not one for each target or
-/// none. `vertices` is the number of the shape's vertices.
+/// for a point that is not finite, for rotations, groups or weights that are not one for each
+/// target or none, and for a weight that is not a finite number above 0. `vertices` is the number
+/// of the shape's vertices.
 void check_handles(const Handles& handles, Eigen::Index vertices);
+
+/// Throws InputError where handles have weights. It is for methods that hold handles exactly.
+void refuse_weights(const Handles& handles);
 
 /// Throws InputError where there are not `count` targets (3×#targets) or one is not finite.
 void check_targets(const Eigen::Matrix3Xd& targets, Eigen::Index count);

@@ -67,6 +67,7 @@ void Arap2d::compile(const Handles& handles) {
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
   check_handles(handles, rest_.V.cols());
+  refuse_weights(handles);
   std::vector<BarycentricPoint> points;
   for (const auto* vertices : {&handles.fixed, &handles.moved}) {
     for (const int v : *vertices) points.push_back(BarycentricPoint::at_vertex(v));

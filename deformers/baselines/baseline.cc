@@ -13,6 +13,7 @@ void Baseline::check_supported(const Handles& /*handles*/) const {}
 
 void Baseline::compile(const Handles& handles) {
   check_handles(handles, rest_.V.cols());
+  refuse_weights(handles);
   check_supported(handles);
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);

@@ -65,8 +65,10 @@ void AnimatedDeformation::compile(const Handles& handles) {
   handles_ = handles;
 }
 
-Report AnimatedDeformation::update(const Shape& frame, const Eigen::Matrix3Xd& offsets) {
+Report AnimatedDeformation::update(const Shape& frame, const Eigen::Matrix3Xd& offsets,
+                                   const Eigen::Matrix3Xd& rotations) {
   check_targets(offsets, std::ssize(handles_.moved));
+  handles_.rotations = rotations;
   deformation_.repose(frame, frame.V(Eigen::all, node_vertices_));
   deformation_.compile(handles_);
   return deformation_.update(frame.V(Eigen::all, handles_.moved) + offsets);

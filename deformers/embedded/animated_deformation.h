@@ -22,8 +22,10 @@ class AnimatedDeformation {
   void compile(const Handles& handles);
 
   /// Moves the nodes to a frame, which has the vertices of the pose, and the frame's handles by the
-  /// offsets (3×#moved) [length]. Throws InputError for another number of vertices or offsets.
-  Report update(const Shape& frame, const Eigen::Matrix3Xd& offsets);
+  /// offsets (3×#moved) [length]. `rotations` says how the handles turn in this frame, as in
+  /// Handles. Throws InputError for another number of vertices, offsets or rotations.
+  Report update(const Shape& frame, const Eigen::Matrix3Xd& offsets,
+                const Eigen::Matrix3Xd& rotations = Eigen::Matrix3Xd(3, 0));
 
   /// The last frame, deformed.
   const Shape& deformed() const { return deformation_.deformed(); }

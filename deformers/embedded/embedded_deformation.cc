@@ -57,6 +57,11 @@ int count_inside_out(const Transformations& X) {
   return count;
 }
 
+bool have_same_nodes(const Embedding& a, const Embedding& b) {
+  const bool same_size = a.nodes.rows() == b.nodes.rows() && a.nodes.cols() == b.nodes.cols();
+  return same_size && a.nodes == b.nodes && a.weights == b.weights;
+}
+
 // NaN stands for what is unknown.
 double larger(double a, double b) { return std::isnan(b) || a > b ? a : b; }
 
@@ -110,6 +115,7 @@ void EmbeddedDeformation::register_graph(BuiltGraph built) {
   const int m = static_cast<int>(graph_.g.cols());
   problem_.x = rest_states(m);
   problem_.fixed.assign(m, 0);
+  satellite_owners_ = {};
   deformed_ = rest_;
   at_rest_ = true;
 }
@@ -206,13 +212,19 @@ void EmbeddedDeformation::embed_handles(const Handles& handles) {
   moved_ = handles.targets();
   rotations_ = handles.rotations;
   groups_ = handles.groups;
-  const auto embedded_points = [&] {
-    if (in_space_) return embed(handles.points, graph_.g, options_.graph.neighbors);
-    if (active_.empty()) return embed_at_vertices(handles.points, embedding_);
-    return embed_at_vertices(handles.points, subset(embedding_, active_));
-  };
-  handles_ = joined(subset(embedding_, handles.moved), embedded_points());
+  handles_ = joined(subset(embedding_, handles.moved), embedded_points(handles.points));
   fix_nodes(handles);
+  embed_border(handles);
+  embed_satellites(handles);
+}
+
+Embedding EmbeddedDeformation::embedded_points(const Eigen::Matrix3Xd& points) const {
+  if (in_space_) return embed(points, graph_.g, options_.graph.neighbors);
+  if (active_.empty()) return embed_at_vertices(points, embedding_);
+  return embed_at_vertices(points, subset(embedding_, active_));
+}
+
+void EmbeddedDeformation::embed_border(const Handles& handles) {
   if (options_.border == Border::kEliminate) return;
   std::vector<int> border;
   for (const int i : handles.fixed) {
@@ -220,6 +232,50 @@ void EmbeddedDeformation::embed_handles(const Handles& handles) {
     if (is_embedded && influence_of_free(embedding_, i, problem_.fixed) > 0) border.push_back(i);
   }
   handles_ = joined(handles_, subset(embedding_, border));
+}
+
+// In the plane, every handle that turns has a ring of points instead.
+void EmbeddedDeformation::embed_satellites(const Handles& handles) {
+  satellites_ = {};
+  if (options_.hold_angles && options_.dimension == 3) {
+    satellites_ = make_satellites(handles_.v.leftCols(moved_), rotations_, groups_, unit_);
+  }
+  const Embedding owners = subset(handles_, satellites_.handles);
+  const Eigen::Matrix3Xd places = satellites_.places(handles_.v);
+  // While the handles stay and only the pose changes, satellites follow the same nodes, so that an
+  // animation does not flicker.
+  if (have_same_nodes(owners, satellite_owners_)) {
+    satellite_places_.v = places;
+  } else {
+    satellite_places_ = embedded_points(places);
+    satellite_owners_ = owners;
+  }
+  handles_ = joined(handles_, satellite_places_);
+  handle_weights_ = {};
+  if (handles.weights.size() == 0) return;
+  handle_weights_ = Eigen::VectorXd::Ones(handles_.v.cols());
+  handle_weights_.head(moved_) = handles.weights;
+  handle_weights_.tail(satellites_.count()) = handles.weights(satellites_.handles);
+}
+
+Eigen::Matrix3Xd EmbeddedDeformation::all_targets(const Eigen::Matrix3Xd& targets) const {
+  Eigen::Matrix3Xd all = handles_.v;
+  all.leftCols(moved_) = targets;
+  all.rightCols(satellites_.count()) = satellites_.targets(targets);
+  return all;
+}
+
+Eigen::VectorXd EmbeddedDeformation::node_stiffness() const {
+  if (options_.stiffness.size() == 0) return {};
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(graph_.g.cols());
+  for (Eigen::Index c = 0; c < embedding_.nodes.cols(); ++c) {
+    for (Eigen::Index a = 0; a < embedding_.nodes.rows(); ++a) {
+      if (!(embedding_.weights(a, c) > 0)) continue;
+      double& stiffness = result[embedding_.nodes(a, c)];
+      stiffness = std::max(stiffness, options_.stiffness[c]);
+    }
+  }
+  return (result.array() > 0).select(result, 1);
 }
 
 void EmbeddedDeformation::pin_components() {
@@ -237,13 +293,16 @@ void EmbeddedDeformation::pin_components() {
 void EmbeddedDeformation::make_terms() {
   const DeformationGraph graph = scaled(graph_, 1 / unit_);
   const Embedding handles = scaled(handles_, 1 / unit_);
+  const Eigen::VectorXd stiffness = node_stiffness();
   problem_.terms = deformlab::make_terms(options_, {.graph = graph,
                                                     .handles = handles,
                                                     .model = options_.node_model(),
                                                     .dimension = options_.dimension,
                                                     .shape = rest_,
                                                     .vertices = embedding_,
-                                                    .unit = unit_});
+                                                    .unit = unit_,
+                                                    .handle_weights = handle_weights_,
+                                                    .stiffness = stiffness});
 }
 
 void EmbeddedDeformation::compile(const Handles& handles) {
@@ -273,6 +332,7 @@ bool EmbeddedDeformation::begin_harmonic(const Eigen::Matrix3Xd& targets) {
   rotations.leftCols(moved_) =
       handle_rotations(handles_.v.leftCols(moved_), targets.leftCols(moved_), rotations_, groups_);
   rotations.rightCols(border).setZero();
+  rotations.rightCols(satellites_.count()) = rotations(Eigen::all, satellites_.handles).eval();
   if (options_.dimension == 2) rotations.topRows(2) *= 0;  // what is unknown stays NaN
   const auto X =
       harmonic_start({graph_, handles_, problem_.fixed, w_reg, w_con}, rotations, targets);
@@ -366,7 +426,9 @@ void EmbeddedDeformation::find_lost_turns(const Transformations& X, Report& repo
   const double most = rotations_.cols() == 0 ? 0 : rotations_.colwise().norm().redux(larger);
   if (!(most > 1.01 * std::numbers::pi)) return;
   std::vector<char> at_rest = problem_.fixed;
-  for (Eigen::Index l = moved_; l < handles_.v.cols(); ++l) at_rest[handles_.nodes(0, l)] = 1;
+  for (Eigen::Index l = moved_; l < handles_.v.cols() - satellites_.count(); ++l) {
+    at_rest[handles_.nodes(0, l)] = 1;
+  }
   const Eigen::Matrix3Xd omega = unwound_rotations(graph_, X, at_rest);
   double lost = 0;
   for (Eigen::Index l = 0; l < moved_; ++l) {
@@ -384,8 +446,7 @@ Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   if (graph_.g.cols() == 0) compile({});
   check_targets(targets, moved_);
   Report report;
-  Eigen::Matrix3Xd all(3, handles_.v.cols());
-  all << targets, handles_.v.rightCols(handles_.v.cols() - moved_);
+  const Eigen::Matrix3Xd all = all_targets(targets);
   const Eigen::MatrixXd in_units = all.topRows(options_.dimension) / unit_;
   for (const WeightedEnergy& term : problem_.terms) term.energy->set_targets(in_units);
   begin(all);

@@ -9,6 +9,7 @@
 #include "deformers/deformer.h"
 #include "deformers/embedded/embedded_options.h"
 #include "deformers/embedded/pins.h"
+#include "deformers/embedded/satellites.h"
 #include "geometry/graph/graph_build.h"
 #include "geometry/transfer/transfer.h"
 #include "solvers/solver.h"
@@ -63,6 +64,11 @@ class EmbeddedDeformation final : public Deformer {
   std::vector<char> nodes_to_fix(const Handles& handles) const;
   void fix_nodes(const Handles& handles);
   void embed_handles(const Handles& handles);
+  Embedding embedded_points(const Eigen::Matrix3Xd& points) const;
+  void embed_border(const Handles& handles);
+  void embed_satellites(const Handles& handles);
+  Eigen::Matrix3Xd all_targets(const Eigen::Matrix3Xd& targets) const;
+  Eigen::VectorXd node_stiffness() const;
   void pin_components();
   void make_terms();
   void transfer(const Transformations& X);
@@ -81,13 +87,16 @@ class EmbeddedDeformation final : public Deformer {
   std::optional<std::vector<int>> built_for_;  // the fixed vertices that its graph is for
   std::vector<int> active_;                    // the vertices that follow the graph; empty: all
   Embedding embedding_;                        // of the whole shape [length]
-  // The handles that the user moves, of which the last are points, and then the fixed vertices that
-  // a soft border holds [length].
+  // The handles that the user moves, of which the last are points, then the fixed vertices that a
+  // soft border holds, and then the satellites of handles that hold an angle [length].
   Embedding handles_;
   Eigen::Index moved_ = 0, points_ = 0;
   Eigen::Matrix3Xd rotations_;  // as in Handles
   std::vector<int> groups_;
-  std::vector<int> fixed_;  // vertices
+  Satellites satellites_;
+  Embedding satellite_places_, satellite_owners_;  // and their handles
+  Eigen::VectorXd handle_weights_;                 // of all handles_, or empty
+  std::vector<int> fixed_;                         // vertices
   int immovable_ = 0;
   bool at_rest_ = true;  // no solve has changed the transformations yet
   DeformationGraph graph_;

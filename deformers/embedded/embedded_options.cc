@@ -44,6 +44,15 @@ void check_rotation_model(const EmbeddedDeformationOptions& o) {
   }
 }
 
+void check_stiffness(const Eigen::VectorXd& stiffness, Eigen::Index vertices) {
+  const bool fits = stiffness.size() == 0 || stiffness.size() == vertices;
+  if (fits && stiffness.allFinite() && (stiffness.array() > 0).all()) return;
+  throw InputError(fmt::format(
+      "the stiffness of the vertices has {} numbers for {} vertices; it needs one finite number "
+      "above 0 for each, or none",
+      stiffness.size(), vertices));
+}
+
 std::shared_ptr<const ceres::LossFunction> loss_of(const EmbeddedDeformationOptions& options,
                                                    const std::string& name) {
   const auto named = options.losses.find(name);
@@ -60,6 +69,7 @@ void check(const EmbeddedDeformationOptions& options, const Shape& rest) {
   check_extra_terms(options);
   check_dimension(options.dimension, rest);
   check_rotation_model(options);
+  check_stiffness(options.stiffness, rest.V.cols());
 }
 
 void check_dimension(int d, const Shape& rest) {

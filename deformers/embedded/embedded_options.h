@@ -71,6 +71,10 @@ struct EmbeddedDeformationOptions {
   std::map<std::string, LossOptions> losses;
   /// Terms beside those of the catalog. Configs do not know them.
   std::vector<ExtraTerm> extra_terms;
+  /// #V: how stiff the shape is around each vertex, above 0, as a factor of E_rot and E_reg. A node
+  /// is as stiff as the stiffest vertex that it influences. Empty: 1 everywhere. Configs set it by
+  /// `paint`.
+  Eigen::VectorXd stiffness;
   /// E_rot has no unit, while E_reg and E_con are in [length²], so that their balance depends on
   /// the unit of length. With "mean_edge", the mean edge of the graph, the result does not depend
   /// on the unit of the shape. A number is a length in that unit; 1 gives the printed formula.
@@ -85,6 +89,9 @@ struct EmbeddedDeformationOptions {
   /// The weight of E_con with which a solve is repeated, from the start, if nodes end inside out.
   /// Handles that are nearer to the fixed part than nodes are then give way. 0: it is not repeated.
   double relaxed_constraint = 0;
+  /// Whether handles that are asked to turn, and whose targets do not tell how, hold the angle by
+  /// places around them (deformers/embedded/satellites.h). In the paper, a handle is a position.
+  bool hold_angles = false;
   SolverOptions solver;
   int transfer_threads = 1;
 
@@ -118,6 +125,8 @@ struct EmbeddedDeformationOptions {
     visit("start", o.start,
           "Where the first solve begins: at rest, or at rotations and translations that the "
           "handles' motions give to all nodes");
+    visit("hold_angles", o.hold_angles,
+          "Whether one vertex, or vertices on a line, hold the angle that 'rotate' gives them");
     visit.range("relaxed_constraint", o.relaxed_constraint, {.min = 0},
                 "The weight of E_con with which a solve is repeated if nodes end inside out; 0: it "
                 "is not repeated");

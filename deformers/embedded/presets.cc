@@ -16,6 +16,7 @@ EmbeddedDeformationOptions preset_options(Preset preset) {
   options.border = Border::kSoft;
   options.start = Start::kHarmonic;
   options.relaxed_constraint = 1e4;
+  options.hold_angles = true;
   return options;
 }
 

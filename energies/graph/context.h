@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <algorithm>
+
 #include "geometry/graph/deformation_graph.h"
 #include "geometry/shape/shape.h"
 #include "geometry/transfer/embedding.h"
@@ -11,6 +14,7 @@ enum class NodeModel { kAffine, kRigid };
 
 inline const Embedding kNoPoints{};
 inline const Shape kNoShape{};
+inline const Eigen::VectorXd kNoFactors{};
 
 /// What the terms over a deformation graph are summed over. Nothing is copied, so that all objects
 /// have to exist until the sum is made.
@@ -27,6 +31,20 @@ struct GraphContext {
   const Shape& shape = kNoShape;
   const Embedding& vertices = kNoPoints;
   double unit = 1;
+
+  /// A weight for each handle. Empty: all are 1.
+  const Eigen::VectorXd& handle_weights = kNoFactors;
+  /// The stiffness of each node, a factor of E_rot and, for edges, of E_reg. Empty: all are 1.
+  const Eigen::VectorXd& stiffness = kNoFactors;
+
+  double weight_of_handle(Eigen::Index l) const {
+    return handle_weights.size() == 0 ? 1 : handle_weights[l];
+  }
+  double stiffness_of(Eigen::Index j) const { return stiffness.size() == 0 ? 1 : stiffness[j]; }
+  /// An edge is as stiff as the softer of its nodes.
+  double stiffness_of(Eigen::Index j, Eigen::Index k) const {
+    return std::min(stiffness_of(j), stiffness_of(k));
+  }
 };
 
 }  // namespace deformlab

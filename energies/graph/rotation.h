@@ -41,7 +41,13 @@ struct Rotation {
     return J;
   }
 
-  static Terms<Rotation> over(const GraphContext& context) { return over_nodes<Rotation>(context); }
+  static Terms<Rotation> over(const GraphContext& context) {
+    Terms<Rotation> sum;
+    for (int j = 0; j < context.graph.g.cols(); ++j) {
+      sum.add(Rotation{}, {j}, context.stiffness_of(j));
+    }
+    return sum;
+  }
 };
 
 }  // namespace deformlab

@@ -19,13 +19,15 @@ Terms<Term> over_nodes(const GraphContext& context) {
   return over_nodes<Term>(context, [](int) { return Term{}; });
 }
 
-/// Σ over both directions of every edge, each weighted by α_jk. element(j, k) makes that of j → k.
+/// Σ over both directions of every edge, each weighted by α_jk and the edge's stiffness.
+/// element(j, k) makes that of j → k.
 template <class Term, class Make>
 Terms<Term> over_edges(const GraphContext& context, Make element) {
   Terms<Term> sum;
   for (const auto& [j, k, alpha] : context.graph.edges) {
-    sum.add(element(j, k), {j, k}, alpha);
-    sum.add(element(k, j), {k, j}, alpha);
+    const double weight = alpha * context.stiffness_of(j, k);
+    sum.add(element(j, k), {j, k}, weight);
+    sum.add(element(k, j), {k, j}, weight);
   }
   return sum;
 }
@@ -34,8 +36,8 @@ Terms<Term> over_edges(const GraphContext& context) {
   return over_edges<Term>(context, [](int, int) { return Term{}; });
 }
 
-/// Σ over all handles. Each reads the k nodes that influence it as one NodeList. element(l) makes
-/// the element of handle l.
+/// Σ over all handles, each with its weight. Each reads the k nodes that influence it as one
+/// NodeList. element(l) makes the element of handle l.
 template <class Term, class Make>
 Terms<Term> over_handles(const GraphContext& context, Make element) {
   const Embedding& handles = context.handles;
@@ -43,7 +45,7 @@ Terms<Term> over_handles(const GraphContext& context, Make element) {
   sum.reserve(handles.v.cols());
   for (int l = 0; l < handles.v.cols(); ++l) {
     const auto nodes = handles.nodes.col(l);
-    sum.add(element(l), std::span(nodes.data(), nodes.size()));
+    sum.add(element(l), std::span(nodes.data(), nodes.size()), context.weight_of_handle(l));
   }
   return sum;
 }

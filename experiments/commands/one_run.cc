@@ -19,14 +19,30 @@ namespace {
 
 constexpr int kNotDone = 3;  // the exit status if the result is not what the edit asked for
 
+// The keys that have an effect on such a subject. A message names no others.
+std::vector<std::string> keys_of(const SubjectKind& kind) {
+  FieldNames known;
+  const RunOptions options;
+  RunOptions::fields(options, known);
+  std::erase_if(known.names, [&](const std::string& key) {
+    return std::ranges::find(kind.meaningless, key) != kind.meaningless.end();
+  });
+  return known.names;
+}
+
 void check_overrides(const std::vector<Override>& overrides, const SubjectKind& kind) {
+  const std::vector<std::string> known = keys_of(kind);
   for (const Override& change : overrides) {
     if (change.key == kind.file_key) {
       throw InputError(fmt::format("override {}: the command already names the file; leave it out",
                                    quote(change.text())));
     }
     const std::string key = change.key.substr(0, change.key.find('.'));
-    if (std::ranges::find(kind.meaningless, key) == kind.meaningless.end()) continue;
+    if (std::ranges::find(known, key) != known.end()) continue;
+    if (std::ranges::find(kind.meaningless, key) == kind.meaningless.end()) {
+      throw InputError(fmt::format("override {}: unknown key {}; {}", quote(change.text()),
+                                   quote(key), known_names(key, known)));
+    }
     throw InputError(
         fmt::format("override {}: unknown key '{}' here, because '{}' means nothing for {} "
                     "that is read from a file; leave it out",

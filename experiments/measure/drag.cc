@@ -20,12 +20,17 @@ DragReport drag(Deformer& deformer, const Shape& rest, const ResolvedEdit& edit,
   double most = 0, sum = 0;
   std::map<std::string, std::vector<double>> seconds;  // of each update
   bool finite = true;
+  Handles handles = edit.handles;
   for (int i = 1; i <= updates; ++i) {
     const int steps_away = i <= options.steps ? i : updates - i;
     const double share = static_cast<double>(steps_away) / options.steps;
+    if (updates > 1 && handles.rotations.cols() > 0) {
+      handles.rotations = share * edit.handles.rotations;
+      deformer.compile(handles);
+    }
     {
       Stopwatch watch(seconds["seconds.update"].emplace_back());
-      result.last = deformer.update((1 - share) * from + share * edit.targets);
+      result.last = deformer.update(edit.targets_at(share, from));
     }
     const auto steps = static_cast<double>(result.last.solve.iterations.size());
     for (const auto& [phase, its] : result.last.solve.seconds) {

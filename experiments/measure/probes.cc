@@ -12,7 +12,9 @@ namespace {
 Selection selection(const ConfigNode& region) {
   Selection result;
   read_value(region, "measure.region", result);
-  check_selection(result, "measure.region (" + region.where() + ")");
+  const std::string where = "measure.region (" + region.where() + ")";
+  check_selection(result, where);
+  read_selection_file(result, region, where);
   return result;
 }
 

@@ -13,9 +13,10 @@
 namespace deformlab {
 namespace {
 
-constexpr double kMissed = 0.02;  // of the edit's motion
-constexpr double kTorn = 5;       // times the stretch around an edge
-constexpr double kOpen = 0.5;     // mean edges between the two sides of a seam
+constexpr double kMissed = 0.02;    // of the edit's motion
+constexpr double kRounding = 1e-6;  // of the shape's diagonal
+constexpr double kTorn = 5;         // times the stretch around an edge
+constexpr double kOpen = 0.5;       // mean edges between the two sides of a seam
 
 using Edge = std::pair<int, int>;
 
@@ -112,7 +113,8 @@ std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3X
                                         const Report& report) {
   std::vector<std::string> result = report.undone;
   const double motion = edit_motion(rest, handles, targets);
-  if (!(report.handle_max > kMissed * motion)) return result;
+  const double most_allowed = std::max(kMissed * motion, kRounding * bounding_box_diagonal(rest.V));
+  if (!(report.handle_max > most_allowed)) return result;
   int count = 0, worst = -1;
   double most = 0;
   for (std::size_t l = 0; l < handles.moved.size(); ++l) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "geometry/core/options.h"
@@ -23,6 +24,16 @@ std::unique_ptr<Deformer> make_embedded(const MethodOptions& options, const Shap
   return std::make_unique<AdaptiveDeformation>(rest, options.deformation, options.adaptive, cuts);
 }
 
+// A vertex is as stiff as the stiffest triangle around it.
+Eigen::VectorXd vertex_stiffness(const DrawingScene& scene) {
+  if ((scene.weights.array() == 1).all()) return {};
+  Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(scene.rest.V.cols());
+  for (Eigen::Index f = 0; f < scene.rest.F.cols(); ++f) {
+    for (const int i : scene.rest.F.col(f)) stiffness[i] = std::max(stiffness[i], scene.weights[f]);
+  }
+  return (stiffness.array() > 0).select(stiffness, 1);
+}
+
 [[noreturn]] void reject(DeformerKind kind, const char* why) {
   throw OptionError("deformer", std::string(name_of(kind)), why);
 }
@@ -35,6 +46,10 @@ std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shap
   const DeformerKind kind = options.deformer;
   if (kind == kAuto || kind == kEmbeddedDeformation) return make_embedded(options, rest, cuts);
   if (kind == kArap2d) reject(kind, ", which is for drawings: give 'drawing', not 'shape'");
+  if (options.deformation.stiffness.size() > 0) {
+    throw InputError(
+        fmt::format("deformer '{}' has no stiffness; leave 'paint' out", name_of(kind)));
+  }
   if (!cuts.empty()) {
     throw InputError(fmt::format("{}: deformer '{}' has no graph to cut; leave 'cut' out",
                                  cuts.front().name, name_of(kind)));
@@ -56,6 +71,7 @@ std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Draw
   if (options.deformer == kEmbeddedDeformation) {
     MethodOptions in_the_plane = options;
     in_the_plane.deformation.dimension = 2;
+    in_the_plane.deformation.stiffness = vertex_stiffness(scene);
     return make_embedded(in_the_plane, to_shape(scene.rest), {});
   }
   reject(options.deformer,

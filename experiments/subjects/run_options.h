@@ -36,7 +36,8 @@ struct RunOptions {
     visit("animation", o.animation, "An animation that is edited instead of a shape");
     MethodOptions::fields(o.method, visit);
     visit("paint", o.paint,
-          "Stiff parts of a drawing: a list of {select, weight} or {mask: FILE.png, weight}");
+          "Stiff parts of a shape or a drawing: a list of {select, weight}, or of {mask: FILE.png, "
+          "weight} for a drawing");
     visit("cut", o.cut,
           "Parts of a shape that follow no common node: a list of {between: SELECTION, and: "
           "SELECTION}");

@@ -20,12 +20,15 @@ struct Handles {
   /// not reduced by full turns. A column is 0 where a handle is translated, and NaN where nothing
   /// is known about its rotation, as for a single vertex that goes somewhere. The whole is 3×0
   /// where no handle is known to turn; rotations can then be fitted to the targets of each group.
-  /// Targets say where a handle ends; this says how it gets there. Methods that begin at rest do
-  /// not use it.
+  /// Targets say where a handle ends; this says how it gets there. Where the handles of a group lie
+  /// on a line, their targets do not tell its rotation about this line, so that this does.
   Eigen::Matrix3Xd rotations = Eigen::Matrix3Xd(3, 0);
   /// One number for each target: handles with the same number move together as one region. For an
   /// edit these are its entries, counted from 0. Empty: each handle moves by itself.
   std::vector<int> groups{};
+  /// The weight of each target in E_con, Eq. 8, above 0. Empty: all are 1. Methods that hold
+  /// handles exactly take none.
+  Eigen::VectorXd weights{};
 
   Eigen::Index targets() const { return static_cast<Eigen::Index>(moved.size()) + points.cols(); }
 };

@@ -61,6 +61,21 @@ TEST(HandleChecks, RotationsAndGroupsAreOneForEachTargetOrNone) {
   EXPECT_THAT(refused(handles), HasSubstr("4 groups for 3 handles"));
 }
 
+TEST(HandleChecks, WeightsArePositiveAndOneForEachTargetOrNone) {
+  Handles handles{.fixed = {0}, .moved = {3, 4}};
+  handles.weights = Eigen::Vector2d(0.5, 1e6);
+  EXPECT_EQ(refused(handles), "");
+  EXPECT_THAT(error_of([&] { refuse_weights(handles); }), HasSubstr("leave 'weight' out"));
+  for (const double bad : {0., -1., double(NAN), std::numeric_limits<double>::infinity()}) {
+    handles.weights[1] = bad;
+    EXPECT_THAT(refused(handles), HasSubstr("weight 1 (counted from 0)"));
+  }
+  handles.weights.setOnes(3);
+  EXPECT_THAT(refused(handles), HasSubstr("3 weights for 2 handles"));
+  handles.weights.resize(0);
+  EXPECT_EQ(error_of([&] { refuse_weights(handles); }), "");
+}
+
 TEST(HandleChecks, EachHandleHasOneFiniteTarget) {
   Eigen::Matrix3Xd targets = Eigen::Matrix3Xd::Zero(3, 2);
   EXPECT_EQ(refused(targets, 2), "");

@@ -11,7 +11,9 @@
 namespace deformlab::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using Json = nlohmann::json;
 
@@ -131,7 +133,7 @@ TEST_F(OneRun, ChangesWhatTheFilesSay) {
 }
 
 TEST_F(OneRun, RefusesKeysThatMeanNothing) {
-  expect_refused(shape({"paint=[]"}), {"'paint' means nothing for a shape"});
+  expect_refused(particles({"paint=[]"}), {"'paint' means nothing for particles"});
   expect_refused(shape({"shape.vertices=200"}), {"'shape' means nothing for a shape"});
   expect_refused(shape({"depth.front=left"}), {"'depth' means nothing for a shape"});
   expect_refused(drawing({"cut=[]"}), {"'cut' means nothing for a drawing"});
@@ -139,6 +141,9 @@ TEST_F(OneRun, RefusesKeysThatMeanNothing) {
   expect_refused(particles({"cut=[]"}), {"'cut' means nothing for particles"});
   expect_refused(shape({"shape.file=plane.off"}), {"already names the file"});
   expect_refused(shape({"sweep={graph.nodes: [10, 20]}"}), {"unknown key 'sweep'"});
+  const Ending ending = start(shape({"drawings.vertices=20"}));
+  EXPECT_THAT(ending.err, AllOf(HasSubstr("unknown key 'drawings'"), HasSubstr("graph"),
+                                Not(HasSubstr("drawing,")), Not(HasSubstr("did you mean"))));
   expect_refused(frames({"animation.generator=gallop"}), {"animation.file", "give one of them"});
   expect_refused(frames({"animation.sequence.every=1"}), {"animation.sequence.every"});
 }

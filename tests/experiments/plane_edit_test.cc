@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <numbers>
 
 #include "tests/support/errors.h"
@@ -79,6 +80,23 @@ TEST(PlaneEdit, ARingStaysInsideTheShape) {
   EXPECT_LT(edit.handles.points.cols(), 9);
   EXPECT_LE(edit.handles.points.row(0).maxCoeff(), 10);
   EXPECT_GE(edit.handles.points.row(1).minCoeff(), 0);
+}
+
+TEST(PlaneEdit, ScalesAndTakesMatricesAndFilesOfTargets) {
+  std::ofstream(std::filesystem::path(::testing::TempDir()) / "plane.csv") << "3,1,2\n4,5,6,7\n";
+  const ResolvedEdit edit = resolved(
+      "- {select: {nearest: [10, 10]}, scale: {factor: [1, 2], center: [0, 0]}}\n"
+      "- {select: {nearest: [10, 0]}, scale: {factor: 3, center: [9, 0]}}\n"
+      "- {select: {nearest: [0, 0]}, matrix: [[1, 0, 4], [0, 1, 5], [0, 0, 1]]}\n"
+      "- {targets: plane.csv}\n");
+  EXPECT_THAT(edit.handles.moved, ElementsAre(2, 1, 0, 3));
+  Eigen::Matrix3Xd expected(3, 5);
+  expected << 10, 12, 4, 1, 6, 20, 0, 5, 2, 7, 0, 0, 0, 0, 0;
+  EXPECT_LT((edit.targets - expected).norm(), 1e-13);
+  EXPECT_THAT(error_of("- {select: {all: true}, matrix: [[1, 0], [0, 1]]}"),
+              HasSubstr("3 rows of 3 numbers"));
+  EXPECT_THAT(error_of("- {select: {all: true}, scale: {factor: [1, 2, 3]}}"),
+              HasSubstr("two coordinates [x, y]"));
 }
 
 TEST(PlaneEdit, SaysWhatADrawingCannotHave) {

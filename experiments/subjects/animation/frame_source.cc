@@ -1,11 +1,9 @@
 #include "experiments/subjects/animation/frame_source.h"
 
-#include <fmt/format.h>
-
 #include "experiments/scenes/gallop.h"
 #include "experiments/subjects/animation/animation_options.h"
+#include "experiments/subjects/animation/frame_order.h"
 #include "experiments/subjects/animation/progress_line.h"
-#include "geometry/core/error.h"
 #include "geometry/shape/shape_io.h"
 
 namespace deformlab {
@@ -33,16 +31,10 @@ FrameFiles::FrameFiles(const std::string& pattern, const std::string& name)
 Shape FrameFiles::read(int frame) const { return read_shape(pattern_.path(frame)); }
 
 void FrameFiles::check(Fingerprint& fingerprint) const {
-  const Eigen::Index vertices = read(range_.first).V.cols();
+  FrameOrder order;
   ProgressLine progress("animate: checked frame");
   for (int frame = range_.first; frame <= range_.last; ++frame) {
-    const Eigen::Index found = read(frame).V.cols();
-    if (found != vertices) {
-      throw InputError(
-          fmt::format("frame {}, '{}', has {} vertices, but frame {} has {}; all frames of an "
-                      "animation must have the same number",
-                      frame, pattern_.path(frame).string(), found, range_.first, vertices));
-    }
+    order.add(read(frame), frame, pattern_.path(frame));
     fingerprint.add_file(pattern_.path(frame));
     progress.show(frame - range_.first + 1, range_.count());
   }

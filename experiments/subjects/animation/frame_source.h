@@ -31,7 +31,7 @@ class FrameFiles : public FrameSource {
   const FramePattern& pattern() const { return pattern_; }
 
   /// Reads all frames and adds them to the fingerprint. Throws InputError for a frame that cannot
-  /// be read or has another number of vertices than the first.
+  /// be read, and as FrameOrder does for one that has other vertices than those before.
   void check(Fingerprint& fingerprint) const;
 
  private:

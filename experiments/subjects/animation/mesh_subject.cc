@@ -15,6 +15,7 @@
 #include "experiments/subjects/animation/solve_log.h"
 #include "experiments/subjects/outputs.h"
 #include "experiments/subjects/run_options.h"
+#include "experiments/subjects/shape/paint.h"
 #include "geometry/core/error.h"
 #include "geometry/shape/shape_io.h"
 
@@ -47,6 +48,7 @@ class MeshSubject : public Subject {
 
   void check() const override {
     check_animation(options_, context_);
+    check_shape_paint(options_.paint);
     if (context_.writes() && options_.animation.path) {
       throw InputError("'path' is the id of a particle; meshes have none");
     }
@@ -71,6 +73,7 @@ class MeshSubject : public Subject {
     motion_.emplace(script, range(), [&](int frame) { return frames_->read(frame); });
     pose_ = frames_->read(script.pose.value_or(range().first));
     size_ = bounding_box_diagonal(pose_.V);
+    options_.method.deformation.stiffness = painted_stiffness(options_.paint, pose_);
     deformer_.emplace(pose_, options_.method.deformation);
     measurements_ = MeshMeasurements(region_of(options_.measure, pose_));
     seen_.emplace(frames_to_see(o, range(), context_));
@@ -82,6 +85,9 @@ class MeshSubject : public Subject {
     if (context_.writes()) {
       begin_writing();
       progress.emplace("animate: frame");
+    } else if (files_ != nullptr) {
+      Fingerprint nobody_needs_it;
+      files_->check(nobody_needs_it);
     }
     for (int frame = range().first; frame <= range().last; ++frame) {
       if (resume_ && resume_->has(frame)) {
@@ -123,7 +129,7 @@ class MeshSubject : public Subject {
   void draw(Book& book, const std::string& caption) override {
     auto& pictures = dynamic_cast<AnimationBook&>(book);
     const int first = range().first;
-    deformer_->update(frames_->read(first), motion_->offsets(first));  // the graph of this frame
+    update(frames_->read(first), first);  // the graph of this frame
     pictures.look_by(render_options(options_.picture).camera);
     pictures.add(*seen_, deformer_->deformation().graph(), caption);
   }
@@ -158,18 +164,23 @@ class MeshSubject : public Subject {
     Fingerprint fingerprint;
     for (const std::string& text :
          {context_.command->input, context_.command->out, motion_->description(),
-          to_yaml(to_node(options_.method.deformation)), environment().at("commit")}) {
+          to_yaml(to_node(options_.method.deformation)), to_yaml(options_.paint),
+          environment().at("commit")}) {
       fingerprint.add(text);
     }
     files_->check(fingerprint);
     return fingerprint.text();
   }
 
+  Report update(const Shape& input, int frame) {
+    return deformer_->update(input, motion_->offsets(frame), motion_->rotations(frame));
+  }
+
   // A command stops at a frame that cannot be solved. A config measures this frame, because its
   // claims may be about it.
   bool make(int frame) {
     const Shape input = frames_->read(frame);
-    const Report report = deformer_->update(input, motion_->offsets(frame));
+    const Report report = update(input, frame);
     solve_ = report.solve;
     if (context_.writes() && solve_.status == Status::kFailed) {
       failed_ = frame;
@@ -223,6 +234,7 @@ SubjectKind mesh_animation_kind() {
   SubjectKind kind = animation_kind();
   kind.name = "a mesh animation";
   kind.flag = kFlag;
+  std::erase(kind.meaningless, "paint");
   kind.is_in = [](const RunOptions& options) {
     const AnimationOptions& o = options.animation;
     return o.generator == AnimationGenerator::kGallop || o.file.find('%') != std::string::npos;

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "experiments/config/config.h"
+#include "experiments/subjects/shape/paint.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -12,7 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPainted = 10000;  // section 5.2: "a weight of 10000 for the painted triangles"
 constexpr const char* kClipArt[] = {"/usr/share/openclipart/svg", "/usr/share/openclipart/png"};
 
 fs::path find_drawing(const std::string& file, const fs::path& folder) {
@@ -26,49 +23,6 @@ fs::path find_drawing(const std::string& file, const fs::path& folder) {
       fmt::format("drawing.file '{}' is neither beside the config, nor in the working folder, nor "
                   "in the packages openclipart-svg and openclipart-png",
                   file));
-}
-
-/// One entry of `paint:`.
-struct Coat {
-  std::optional<Selection> select;
-  std::optional<fs::path> mask;
-  double weight = kPainted;
-
-  template <class Self, class Visit>
-  static void fields(Self& o, Visit&& visit) {
-    visit("select", o.select, "Vertices, selected as in an edit");
-    visit("mask", o.mask,
-          "A PNG image of the page's size, which is opaque and dark where triangles are painted");
-    visit("weight", o.weight,
-          "The stiffness of the triangles that are painted; that of the others is 1");
-  }
-};
-
-struct ReadCoat {
-  Coat coat;
-  std::string where;
-  fs::path folder;
-};
-
-std::vector<ReadCoat> read_coats(const ConfigNode& list) {
-  std::vector<ReadCoat> coats;
-  if (list.kind == ConfigNode::Kind::kNull) return coats;
-  check_list(list, "paint");
-  const ConfigNode lifted = in_space(list);
-  for (const ConfigNode& node : lifted.children) {
-    ReadCoat& read = coats.emplace_back();
-    read.where = fmt::format("paint entry {} ({})", coats.size(), node.where());
-    read.folder = node.folder();
-    read_value(node, "paint", read.coat);
-    if (read.coat.select.has_value() == read.coat.mask.has_value()) {
-      throw InputError(fmt::format("{}: give either 'select' or 'mask'", read.where));
-    }
-    if (read.coat.select) check_selection(*read.coat.select, read.where);
-    if (!(read.coat.weight > 0 && std::isfinite(read.coat.weight))) {
-      throw InputError(fmt::format("{}: the weight must be a positive number", read.where));
-    }
-  }
-  return coats;
 }
 
 // For each triangle: whether all its corners are selected.
@@ -118,7 +72,7 @@ DrawingScene make_drawing(const DrawingSceneOptions& options, const fs::path& fo
 }
 
 void paint(DrawingScene& scene, const ConfigNode& list) {
-  for (const ReadCoat& read : read_coats(list)) {
+  for (const ReadCoat& read : read_coats(in_space(list))) {
     const std::vector<char> chosen = painted(read, scene);
     bool any = false;
     for (Eigen::Index f = 0; f < scene.weights.size(); ++f) {
@@ -130,6 +84,6 @@ void paint(DrawingScene& scene, const ConfigNode& list) {
   }
 }
 
-void check_paint(const ConfigNode& list) { read_coats(list); }
+void check_paint(const ConfigNode& list) { read_coats(in_space(list)); }
 
 }  // namespace deformlab

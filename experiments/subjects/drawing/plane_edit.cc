@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/config/config.h"
 #include "geometry/core/error.h"
 #include "geometry/plane/locator.h"
@@ -70,6 +72,40 @@ void lift_selection(ConfigNode& select) {
   }
 }
 
+// Turns the factor [x, y] into [x, y, 1], and one number likewise.
+void lift_scale(ConfigNode& scale) {
+  if (scale.kind != ConfigNode::Kind::kMap) return;
+  if (ConfigNode* center = scale.find("center")) lift_point(*center, "scale.center");
+  ConfigNode* factor = scale.find("factor");
+  if (factor == nullptr) return;
+  if (is_number(*factor)) {
+    const ConfigNode number = scalar(*factor, factor->text);
+    factor->kind = ConfigNode::Kind::kList;
+    factor->children = {number, number};
+  }
+  lift_point(*factor, "scale.factor");
+  factor->children.back().text = "1";
+}
+
+// Turns a 3×3 matrix of [x, y, 1] into the 4×4 matrix of [x, y, 0, 1].
+void lift_matrix(ConfigNode& matrix) {
+  const auto is_row = [](const ConfigNode& row) {
+    return row.kind == ConfigNode::Kind::kList && row.children.size() == 3;
+  };
+  if (matrix.kind != ConfigNode::Kind::kList || matrix.children.size() != 3 ||
+      !std::ranges::all_of(matrix.children, is_row)) {
+    throw InputError(fmt::format(
+        "wrong value for 'matrix' ({}): expected a list of 3 rows of 3 numbers", matrix.where()));
+  }
+  ConfigNode flat = matrix.children[2];
+  for (ConfigNode& number : flat.children) number = scalar(number, "0");
+  matrix.children.insert(matrix.children.begin() + 2, flat);
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::vector<ConfigNode>& row = matrix.children[i].children;
+    row.insert(row.begin() + 2, scalar(row[0], i == 2 ? "1" : "0"));
+  }
+}
+
 }  // namespace
 
 ConfigNode in_space(const ConfigNode& edit) {
@@ -80,11 +116,15 @@ ConfigNode in_space(const ConfigNode& edit) {
       if (ConfigNode* place = entry.find(name)) lift_point(*place, name);
     }
     if (ConfigNode* rotate = entry.find("rotate")) lift_rotation(*rotate);
+    if (ConfigNode* scale = entry.find("scale")) lift_scale(*scale);
+    if (ConfigNode* matrix = entry.find("matrix")) lift_matrix(*matrix);
   }
   return lifted;
 }
 
-std::vector<EditEntry> read_plane_edit(const ConfigNode& edit) { return read_edit(in_space(edit)); }
+std::vector<EditEntry> read_plane_edit(const ConfigNode& edit) {
+  return read_edit(in_space(edit), 2);
+}
 
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Triangulation& rest) {
   const Shape shape = to_shape(rest);

@@ -11,12 +11,20 @@ namespace {
 
 void check(const Script& script, const GraphOptions& graph) {
   if (script.pose) throw InputError("'pose' is for meshes: particles are edited along a path");
-  const GraphOptions usual;
-  if (graph.method != usual.method || graph.distance != usual.distance || !graph.file.empty()) {
+  // Both distances are those of a preset. Along one path they are the same.
+  const bool is_of_a_preset =
+      graph.distance == NodeDistance::kEuclidean || graph.distance == NodeDistance::kPathAware;
+  if (graph.method != GraphOptions().method || !is_of_a_preset || !graph.file.empty()) {
     throw InputError(
         "graph.method, graph.distance and graph.file are for shapes: the graph of particles is "
         "sampled on the path of one; set path and graph.nodes");
   }
+}
+
+// NaN is the same as NaN here.
+bool is_same(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
+  return a.cols() == b.cols() &&
+         (a.array() == b.array() || (a.array().isNaN() && b.array().isNaN())).all();
 }
 
 }  // namespace
@@ -31,17 +39,25 @@ StreamEditor::StreamEditor(const ParticleSource& particles, const Script& script
   rest_ = targets_at_rest(stream_.path(), motion_.handles());
 }
 
-void StreamEditor::solve(const Eigen::Matrix3Xd& offsets) {
+void StreamEditor::solve(const Eigen::Matrix3Xd& offsets, const Eigen::Matrix3Xd& rotations) {
   stream_.reset();
+  if (rotations.cols() > 0) {
+    Handles handles = motion_.handles();
+    handles.rotations = rotations;
+    stream_.compile(handles);
+  }
   report_ = stream_.update(rest_ + offsets);
   offsets_ = offsets;
+  rotations_ = rotations;
   ++solves_;
   worst_handle_ = std::max(worst_handle_, report_.handle_max);
 }
 
 Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
   const Eigen::Matrix3Xd offsets = motion_.offsets(frame);
-  if (solves_ == 0 || offsets != offsets_) solve(offsets);
+  const Eigen::Matrix3Xd rotations = motion_.rotations(frame);
+  const bool is_new = offsets != offsets_ || !is_same(rotations, rotations_);
+  if (solves_ == 0 || is_new) solve(offsets, rotations);
   seconds_ = {};
   Embedding particles;
   {

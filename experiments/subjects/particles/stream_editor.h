@@ -37,12 +37,12 @@ class StreamEditor {
   const HandleMotion& motion() const { return motion_; }
 
  private:
-  void solve(const Eigen::Matrix3Xd& offsets);
+  void solve(const Eigen::Matrix3Xd& offsets, const Eigen::Matrix3Xd& rotations);
 
   ParticleLife life_;
   StreamDeformation stream_;
   HandleMotion motion_;
-  Eigen::Matrix3Xd rest_, offsets_;  // of the handles
+  Eigen::Matrix3Xd rest_, offsets_, rotations_;  // of the handles
   Report report_;
   Seconds seconds_;
   double worst_handle_ = 0;

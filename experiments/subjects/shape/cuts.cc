@@ -29,6 +29,8 @@ std::vector<CutEntry> read_cuts(const ConfigNode& list) {
     read_value(node, "cut", entry);
     check_selection(entry.between, entry.where);
     check_selection(entry.other, entry.where);
+    read_selection_file(entry.between, *node.find("between"), entry.where);
+    read_selection_file(entry.other, *node.find("and"), entry.where);
   }
   return entries;
 }

@@ -3,44 +3,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <numbers>
 
-#include "experiments/subjects/shape/edit.h"
+#include "experiments/subjects/shape/edit_motion.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
 namespace {
 
-/// The motion that the entry's action gives to its vertices, whose rest positions are P (3×#).
-Eigen::Isometry3d motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P) {
-  const Eigen::Vector3d centroid = P.rowwise().mean();
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  if (entry.to) motion.translation() = *entry.to - centroid;
-  if (entry.rotate) {
-    const Eigen::Vector3d center = entry.rotate->center.value_or(centroid);
-    const double angle = entry.rotate->degrees * std::numbers::pi / 180;
-    motion.translate(center);
-    motion.rotate(Eigen::AngleAxisd(angle, entry.rotate->axis.stableNormalized()));
-    motion.translate(-center);
-  }
-  if (entry.by) motion.pretranslate(*entry.by);
-  return motion;
-}
-
-/// The rotation vector [radian] that the entry asks for. Where it has no rotation, one handle may
-/// turn as it likes, which NaN says, and several are translated.
-Eigen::Vector3d turn_of(const EditEntry& entry, std::size_t selected) {
-  if (entry.rotate) {
-    return entry.rotate->degrees * std::numbers::pi / 180 * entry.rotate->axis.stableNormalized();
-  }
-  return Eigen::Vector3d::Constant(selected == 1 ? std::numeric_limits<double>::quiet_NaN() : 0);
-}
-
-/// Where a handle goes, how it turns on the way there, and the entry that says so.
+/// Where a handle goes, and the group and the entry that say so.
 struct Target {
-  Eigen::Vector3d position, turn;
-  int entry;
+  Eigen::Vector3d position;
+  int group, entry;
 };
 
 /// A matrix of one column of each item.
@@ -60,50 +34,75 @@ class Resolver {
         rings_(rings),
         same_(1e-9 * bounding_box_diagonal(shape.V)),
         owner_(static_cast<std::size_t>(shape.V.cols()), -1),
-        column_(owner_.size(), -1) {}
+        column_(owner_.size(), -1),
+        motions_(entries.size()) {}
 
   ResolvedEdit run() {
     for (std::size_t e = 0; e < entries_.size(); ++e) add(static_cast<int>(e));
     handles_.points = matrix(points_, std::identity());
     targets_.insert(targets_.end(), point_targets_.begin(), point_targets_.end());
     add_motions();
-    return {std::move(handles_), matrix(targets_, &Target::position)};
+    return {std::move(handles_), matrix(targets_, &Target::position), std::move(motions_)};
   }
 
  private:
   void add(int e) {
     const EditEntry& entry = entries_[e];
-    if (entry.select.point) {
-      add_point(*entry.select.point, e);
+    if (entry.targets) {
+      add_listed(e);
       return;
     }
-    const std::vector<int> selected = select_vertices(entry.select, shape_, entry.where);
+    if (entry.selection->point) {
+      add_point(*entry.selection->point, e);
+      return;
+    }
+    const std::vector<int> selected = select_vertices(*entry.selection, shape_, entry.where);
     if (entry.fix) {
       for (const int i : selected) fix(i, e);
       return;
     }
     const Eigen::Matrix3Xd P = shape_.V(Eigen::all, selected);
-    const Eigen::Isometry3d motion = motion_of(entry, P);
-    const Eigen::Vector3d turn = turn_of(entry, selected.size());
+    motions_[e] = motion_of(entry, P);
     for (std::size_t k = 0; k < selected.size(); ++k) {
       const bool exactly = entry.to && selected.size() == 1;  // avoids rounding errors
-      move(selected[k], {exactly ? *entry.to : Eigen::Vector3d(motion * P.col(k)), turn, e});
+      move(selected[k], {exactly ? *entry.to : motions_[e](P.col(k)), e, e});
     }
-    if (entry.rotate && selected.size() == 1) add_ring(P.col(0), motion, e);
+    if (entry.rotate && selected.size() == 1) add_ring(P.col(0), e);
   }
 
   void add_point(const Eigen::Vector3d& p, int e) {
     const EditEntry& entry = entries_[e];
-    const Eigen::Isometry3d motion = motion_of(entry, p);
-    const Eigen::Vector3d target = entry.fix ? p : entry.to ? *entry.to : motion * p;
-    check_range(target, e, "the point " + text_of(p));
+    motions_[e] = motion_of(entry, p);
+    put_point(p, {entry.fix ? p : entry.to ? *entry.to : motions_[e](p), e, e});
+    if (entry.rotate) add_ring(p, e);
+  }
+
+  // Nothing says that these handles move together, so that each is a group.
+  void add_listed(int e) {
+    for (const ListedTarget& listed : entries_[e].listed) {
+      const int group = static_cast<int>(motions_.size());
+      const bool is_point = listed.vertex < 0;
+      if (!is_point) check_exists(listed.vertex, shape_, entries_[e].where);
+      const Eigen::Vector3d rest = is_point ? listed.place : shape_.V.col(listed.vertex);
+      EditEntry entry;
+      entry.to = listed.target;
+      motions_.push_back(motion_of(entry, rest));
+      if (is_point) {
+        put_point(rest, {listed.target, group, e});
+      } else {
+        move(listed.vertex, {listed.target, group, e});
+      }
+    }
+  }
+
+  void put_point(const Eigen::Vector3d& p, const Target& target) {
+    check_range(target.position, target.entry, "the point " + text_of(p));
     points_.push_back(p);
-    point_targets_.push_back({target, turn_of(entry, 1), e});
-    if (entry.rotate) add_ring(p, motion, e);
+    point_targets_.push_back(target);
   }
 
   // Adds eight points about the axis, if they are inside the shape.
-  void add_ring(const Eigen::Vector3d& p, const Eigen::Isometry3d& motion, int e) {
+  void add_ring(const Eigen::Vector3d& p, int e) {
     if (rings_.radius == 0) return;
     const Eigen::Vector3d axis = entries_[e].rotate->axis.stableNormalized();
     const Eigen::Vector3d arm = rings_.radius * axis.unitOrthogonal();
@@ -112,7 +111,7 @@ class Resolver {
       const Eigen::Vector3d end = p + Eigen::AngleAxisd(i * std::numbers::pi / 4, axis) * arm;
       if (!rings_.inside(end)) continue;
       points_.push_back(end);
-      point_targets_.push_back({motion * end, turn_of(entries_[e], 1), e});
+      point_targets_.push_back({motions_[e](end), e, e});
     }
     if (points_.size() > before) return;
     throw InputError(fmt::format(
@@ -130,8 +129,8 @@ class Resolver {
 
   void check_range(const Eigen::Vector3d& target, int e, const std::string& what) const {
     if (target.cwiseAbs().maxCoeff() <= kMostLength) return;
-    throw InputError(entries_[e].where + " moves " + what + " beyond the range of numbers, to " +
-                     text_of(target));
+    throw InputError(fmt::format("{} moves {} beyond the range of numbers, to {}",
+                                 entries_[e].where, what, text_of(target)));
   }
 
   void move(int i, const Target& target) {
@@ -147,7 +146,7 @@ class Resolver {
     if (column_[i] < 0) throw_fixed_and_moved(i, owner_[i], e);
     Target& first = targets_[column_[i]];
     if ((first.position - target.position).norm() <= same_) {
-      if (first.turn.hasNaN()) first.turn = target.turn;
+      if (turn_of(first).hasNaN()) first.group = target.group;
       return;
     }
     throw InputError(fmt::format("vertex {} is moved to {} by {} and to {} by {}; keep one", i,
@@ -155,13 +154,21 @@ class Resolver {
                                  text_of(target.position), entries_[e].where));
   }
 
+  const Eigen::Vector3d& turn_of(const Target& target) const { return motions_[target.group].turn; }
+
   void add_motions() {
-    const auto rotates = [&](const Target& target) {
-      return entries_[target.entry].rotate.has_value();
+    const auto any = [&](auto&& has) {
+      return std::ranges::any_of(targets_, [&](const Target& t) { return has(entries_[t.entry]); });
     };
-    if (std::ranges::any_of(targets_, rotates))
-      handles_.rotations = matrix(targets_, &Target::turn);
-    for (const Target& target : targets_) handles_.groups.push_back(target.entry);
+    if (any([](const EditEntry& entry) { return entry.rotate || entry.matrix; })) {
+      handles_.rotations = matrix(targets_, [&](const Target& target) { return turn_of(target); });
+    }
+    for (const Target& target : targets_) handles_.groups.push_back(target.group);
+    if (!any([](const EditEntry& entry) { return entry.weight != 1; })) return;
+    handles_.weights.resize(std::ssize(targets_));
+    for (Eigen::Index l = 0; l < handles_.weights.size(); ++l) {
+      handles_.weights[l] = entries_[targets_[l].entry].weight;
+    }
   }
 
   [[noreturn]] void throw_fixed_and_moved(int i, int fixing, int moving) const {
@@ -178,10 +185,23 @@ class Resolver {
   std::vector<int> column_;  ///< by vertex: its column of the targets, or -1
   Handles handles_;
   std::vector<Target> targets_, point_targets_;
+  std::vector<Motion> motions_;  ///< by group: one for each entry, then one for each listed target
   std::vector<Eigen::Vector3d> points_;
 };
 
 }  // namespace
+
+Eigen::Matrix3Xd ResolvedEdit::targets_at(double share, const Eigen::Matrix3Xd& rest) const {
+  Eigen::Matrix3Xd result = (1 - share) * rest + share * targets;
+  for (Eigen::Index l = 0; l < targets.cols(); ++l) {
+    const Motion& motion = motions[handles.groups[l]];
+    if (is_translation(motion)) continue;
+    const Pose from{rest.col(l), Eigen::Vector3d::Zero(), {}};
+    const Pose to{rest.col(l), targets.col(l) - rest.col(l), motion};
+    result.col(l) = rest.col(l) + offset_between(from, to, share);
+  }
+  return result;
+}
 
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
                      const Rings& rings) {

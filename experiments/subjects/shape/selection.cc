@@ -4,9 +4,19 @@
 
 #include <algorithm>
 
+#include "experiments/subjects/shape/edit_files.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
+
+void check_exists(int vertex, const Shape& shape, const std::string& where) {
+  const int count = static_cast<int>(shape.V.cols());
+  if (vertex >= 0 && vertex < count) return;
+  throw InputError(
+      fmt::format("{}: vertex {} does not exist; the shape has {} vertices, counted from 0", where,
+                  vertex, count));
+}
+
 namespace {
 
 /// The vertices whose rest position passes a test, in ascending order.
@@ -20,13 +30,7 @@ std::vector<int> select_if(const Eigen::Matrix3Xd& V, Inside&& inside) {
 }
 
 std::vector<int> listed(std::vector<int> selected, const Shape& shape, const std::string& where) {
-  const int count = static_cast<int>(shape.V.cols());
-  for (const int i : selected) {
-    if (i >= 0 && i < count) continue;
-    throw InputError(
-        fmt::format("{}: vertex {} does not exist; the shape has {} vertices, counted from 0",
-                    where, i, count));
-  }
+  for (const int i : selected) check_exists(i, shape, where);
   std::sort(selected.begin(), selected.end());
   selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
   return selected;
@@ -61,7 +65,7 @@ std::string text_of(const Eigen::Vector3d& p) {
 
 void check_only_true(const std::optional<bool>& flag, const char* name, const std::string& where) {
   if (flag && !*flag) {
-    throw InputError(where + ": '" + name + "' can only be true; leave it out otherwise");
+    throw InputError(fmt::format("{}: '{}' can only be true; leave it out otherwise", where, name));
   }
 }
 
@@ -77,16 +81,22 @@ void check_selection(const Selection& select, const std::string& where) {
         where, given));
   }
   if (select.box && (select.box->min.array() > select.box->max.array()).any()) {
-    throw InputError(where + ": the box's min " + text_of(select.box->min) +
-                     " must not exceed its max " + text_of(select.box->max));
+    throw InputError(fmt::format("{}: the box's min {} must not exceed its max {}", where,
+                                 text_of(select.box->min), text_of(select.box->max)));
   }
+}
+
+void read_selection_file(Selection& select, const ConfigNode& node, const std::string& where) {
+  if (!select.file) return;
+  select.vertices = read_indices(node.find("file")->folder() / *select.file, where);
+  select.file.reset();
 }
 
 std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
                                  const std::string& where) {
   if (selection.point) {
-    throw InputError(where +
-                     ": 'point' is a position and need not be a vertex; take 'nearest' here");
+    throw InputError(fmt::format(
+        "{}: 'point' is a position and need not be a vertex; take 'nearest' here", where));
   }
   std::vector<int> selected = select(selection, shape, where);
   if (!selected.empty()) return selected;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/config/config_node.h"
 #include "geometry/shape/shape.h"
 
 namespace deformlab {
@@ -39,7 +40,7 @@ struct Selection {
   std::optional<SphereSelection> sphere;
   std::optional<Eigen::Vector3d> nearest;
   std::optional<Eigen::Vector3d> point;
-  std::optional<std::filesystem::path> file;  ///< read_edit turns it into `vertices`
+  std::optional<std::filesystem::path> file;  ///< read_selection_file turns it into `vertices`
   std::optional<bool> all;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -59,8 +60,16 @@ std::string text_of(const Eigen::Vector3d& p);
 /// Throws InputError for a flag that is given as false.
 void check_only_true(const std::optional<bool>& flag, const char* name, const std::string& where);
 
+/// Throws InputError unless the shape has such a vertex. `where` is what the message calls the
+/// selection.
+void check_exists(int vertex, const Shape& shape, const std::string& where);
+
 /// Throws InputError unless exactly one selector is given, and if it cannot select anything.
 void check_selection(const Selection& select, const std::string& where);
+
+/// Reads the file of a selection, if it has one, into `vertices`. `node` is the map that the
+/// selection was read from. Throws InputError for a file that does not list indices.
+void read_selection_file(Selection& select, const ConfigNode& node, const std::string& where);
 
 /// The vertices of a selection in ascending order, each once. Messages call the selection `where`.
 /// Throws InputError if no vertex is selected, and for `point`, which need not be a vertex.

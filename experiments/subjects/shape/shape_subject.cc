@@ -7,6 +7,7 @@
 #include "experiments/measure/stripes.h"
 #include "experiments/subjects/run_options.h"
 #include "experiments/subjects/shape/cuts.h"
+#include "experiments/subjects/shape/paint.h"
 #include "experiments/subjects/shape/pictures.h"
 #include "geometry/shape/shape_io.h"
 
@@ -31,6 +32,7 @@ class ShapeSubject : public Subject {
   void check() const override {
     read_edit(options_.edit);
     check_cuts(options_.cut);
+    check_shape_paint(options_.paint);
     read_probes(options_.measure.probes, 3);
     if (context_.writes()) check_extension(context_.command->out);
   }
@@ -38,7 +40,9 @@ class ShapeSubject : public Subject {
   void read() override {
     rest_ = make_shape(options_.shape, context_.folder);
     edit_ = resolve(read_edit(options_.edit), rest_);
-    deformer_ = make_deformer(options_.method, rest_, resolve_cuts(options_.cut, rest_));
+    MethodOptions method = options_.method;
+    method.deformation.stiffness = painted_stiffness(options_.paint, rest_);
+    deformer_ = make_deformer(method, rest_, resolve_cuts(options_.cut, rest_));
   }
 
   void deform() override {
@@ -123,7 +127,7 @@ SubjectKind shape_kind() {
       .name = "a shape",
       .flag = "",
       .file_key = "shape.file",
-      .meaningless = {"shape", "drawing", "animation", "paint", "depth", "output"},
+      .meaningless = {"shape", "drawing", "animation", "depth", "output"},
       .is_in = [](const RunOptions&) { return true; },
       .reads = [](const CommandLine&) { return true; },
       .load_edit = put_edit,

@@ -1,0 +1,68 @@
+#include "deformers/embedded/satellites.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <cmath>
+#include <map>
+
+namespace deformlab {
+namespace {
+
+constexpr double kFlat = 1e-3;  // singular values relative to the first: the points span no plane
+
+// The corners of a regular tetrahedron around the origin, at distance 1.
+Eigen::Matrix<double, 3, 4> tetrahedron() {
+  Eigen::Matrix<double, 3, 4> corners;
+  corners << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
+  return corners / std::sqrt(3.0);
+}
+
+bool spans_a_plane(const Eigen::Matrix3Xd& points) {
+  const Eigen::Matrix3Xd arms = points.colwise() - points.rowwise().mean();
+  const Eigen::Vector3d s = Eigen::JacobiSVD<Eigen::Matrix3d>(arms * arms.transpose())
+                                .singularValues();  // squares of those of the arms
+  return s[1] > kFlat * kFlat * s[0];
+}
+
+// Handles of no group are groups of their own.
+std::vector<std::vector<int>> members(Eigen::Index handles, std::span<const int> groups) {
+  std::map<int, std::vector<int>> by_number;
+  for (int l = 0; l < handles; ++l) by_number[groups.empty() ? l : groups[l]].push_back(l);
+  std::vector<std::vector<int>> result;
+  for (auto& [number, its_handles] : by_number) result.push_back(std::move(its_handles));
+  return result;
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd Satellites::places(const Eigen::Matrix3Xd& of_handles) const {
+  return of_handles(Eigen::all, handles) + arms;
+}
+
+Eigen::Matrix3Xd Satellites::targets(const Eigen::Matrix3Xd& of_handles) const {
+  return of_handles(Eigen::all, handles) + turned;
+}
+
+Satellites make_satellites(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& rotations,
+                           std::span<const int> groups, double radius) {
+  Satellites result;
+  if (rotations.cols() == 0) return result;
+  for (const std::vector<int>& group : members(v.cols(), groups)) {
+    if (spans_a_plane(v(Eigen::all, group))) continue;
+    for (const int l : group) {
+      if (rotations.col(l).allFinite()) result.handles.insert(result.handles.end(), 4, l);
+    }
+  }
+  const Eigen::Matrix<double, 3, 4> arms = radius * tetrahedron();
+  result.arms.resize(3, std::ssize(result.handles));
+  result.turned.resize(3, std::ssize(result.handles));
+  for (Eigen::Index i = 0; i < result.count(); i += 4) {
+    const Eigen::Vector3d turn = rotations.col(result.handles[i]);
+    result.arms.middleCols<4>(i) = arms;
+    const Eigen::AngleAxisd rotation(turn.norm(), turn.stableNormalized());
+    result.turned.middleCols<4>(i) = rotation.toRotationMatrix() * arms;
+  }
+  return result;
+}
+
+}  // namespace deformlab

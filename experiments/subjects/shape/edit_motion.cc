@@ -1,0 +1,117 @@
+#include "experiments/subjects/shape/edit_motion.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <limits>
+#include <numbers>
+
+namespace deformlab {
+namespace {
+
+constexpr double kFlat = 1e-6;  // singular values relative to the first: the points lie on a line
+
+template <class T>
+T mixed(const T& from, const T& to, double share) {
+  return from + share * (to - from);
+}
+
+Eigen::Vector3d known(const Eigen::Vector3d& turn) {
+  return turn.hasNaN() ? Eigen::Vector3d(0, 0, 0) : turn;
+}
+
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turn) {
+  if (turn.isZero(0)) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()).toRotationMatrix();
+}
+
+}  // namespace
+
+bool is_translation(const Motion& motion) {
+  return known(motion.turn).isZero(0) && motion.stretch == Eigen::Matrix3d::Identity();
+}
+
+namespace {
+
+// What the motion adds to a place, apart from its translation.
+Eigen::Vector3d bent(const Motion& motion, const Eigen::Vector3d& rest) {
+  if (is_translation(motion)) return Eigen::Vector3d::Zero();
+  const Eigen::Matrix3d linear = rotation_of(known(motion.turn)) * motion.stretch;
+  return (linear - Eigen::Matrix3d::Identity()) * (rest - motion.center);
+}
+
+// A translation has any centre, so that it takes that of the other motion.
+Motion about_center_of(const Motion& other, Motion motion) {
+  if (is_translation(motion)) motion.center = other.center;
+  return motion;
+}
+
+// Where points lie on a line, their positions do not tell how they turn.
+bool are_on_a_line(const Eigen::Matrix3Xd& P) {
+  const Eigen::Matrix3Xd arms = P.colwise() - P.rowwise().mean();
+  const Eigen::Vector3d s =
+      Eigen::JacobiSVD<Eigen::Matrix3d>(arms * arms.transpose()).singularValues();
+  return !(s[1] > kFlat * s[0]);
+}
+
+// Splits a matrix into a rotation and a stretch before it.
+void split(const Eigen::Matrix3d& linear, Motion& motion) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d& V = svd.matrixV();
+  Eigen::Vector3d sign(1, 1, (svd.matrixU() * V.transpose()).determinant() < 0 ? -1 : 1);
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(svd.matrixU() * sign.asDiagonal() * V.transpose()));
+  motion.turn = turn.angle() * turn.axis();
+  motion.stretch = V * sign.cwiseProduct(svd.singularValues()).asDiagonal() * V.transpose();
+}
+
+}  // namespace
+
+Eigen::Vector3d Motion::operator()(const Eigen::Vector3d& p) const {
+  if (is_translation(*this)) return p + shift;
+  return center + rotation_of(known(turn)) * (stretch * (p - center)) + shift;
+}
+
+Motion motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P) {
+  const Eigen::Vector3d centroid = P.rowwise().mean();
+  Motion motion{.center = centroid};
+  if (are_on_a_line(P)) motion.turn.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (entry.to) motion.shift = *entry.to - centroid;
+  if (entry.matrix) {
+    const Eigen::Matrix4d& M = entry.matrix->value;
+    split(M.topLeftCorner<3, 3>(), motion);
+    motion.shift = M.topRows<3>() * centroid.homogeneous() - centroid;
+  }
+  if (entry.scale) {
+    motion.center = entry.scale->center.value_or(centroid);
+    motion.stretch = entry.scale->factor.value.asDiagonal();
+  }
+  if (entry.rotate) {
+    const Eigen::Vector3d scaled_about = motion.center;
+    motion.center = entry.rotate->center.value_or(centroid);
+    motion.turn =
+        entry.rotate->degrees * std::numbers::pi / 180 * entry.rotate->axis.stableNormalized();
+    // Scaling about its own centre c first is x ↦ S x + (I − S) c.
+    const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - motion.stretch;
+    motion.shift = rotation_of(motion.turn) * (rest * (scaled_about - motion.center));
+  }
+  if (entry.by) motion.shift += *entry.by;
+  return motion;
+}
+
+Eigen::Vector3d offset_between(const Pose& from, const Pose& to, double share) {
+  const Motion first = about_center_of(to.motion, from.motion);
+  const Motion last = about_center_of(from.motion, to.motion);
+  const Eigen::Vector3d shift = mixed<Eigen::Vector3d>(from.offset - bent(first, from.rest),
+                                                       to.offset - bent(last, to.rest), share);
+  Motion motion;
+  motion.center = mixed(first.center, last.center, share);
+  motion.turn = mixed<Eigen::Vector3d>(known(first.turn), known(last.turn), share);
+  motion.stretch = mixed(first.stretch, last.stretch, share);
+  return shift + bent(motion, mixed(from.rest, to.rest, share));
+}
+
+Eigen::Vector3d rotation_between(const Motion& from, const Motion& to, double share) {
+  if (from.turn.hasNaN() && to.turn.hasNaN()) return from.turn;
+  return mixed<Eigen::Vector3d>(known(from.turn), known(to.turn), share);
+}
+
+}  // namespace deformlab

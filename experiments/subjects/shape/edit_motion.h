@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "experiments/subjects/shape/edit.h"
+
+namespace deformlab {
+
+/// The motion that an entry gives to its selection, whose rest positions are P (3×#) [length]. It
+/// is that of `rotate`, `scale`, `by`, `to` and `matrix`; `fix` moves nothing.
+Motion motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P);
+
+/// Whether the motion neither rotates nor changes the size.
+bool is_translation(const Motion& motion);
+
+/// A handle on its way: where it is at rest, how far it is from there, and by which motion.
+struct Pose {
+  Eigen::Vector3d rest, offset;  ///< [length]
+  Motion motion;
+};
+
+/// The offset of a handle on its way from one pose to another, by the share of the way that is done
+/// (0 to 1). Rotation vectors, stretches, centres and translations change in proportion, so that a
+/// rotation goes along an arc and may exceed a half turn. Two translations give a straight line.
+Eigen::Vector3d offset_between(const Pose& from, const Pose& to, double share);
+
+/// The rotation vector there [radian], or NaN if neither motion says anything about a rotation.
+Eigen::Vector3d rotation_between(const Motion& from, const Motion& to, double share);
+
+}  // namespace deformlab
