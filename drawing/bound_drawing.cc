@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drawing/paint.h"
+#include "drawing/vector/layers.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -31,6 +33,12 @@ BoundDrawing::BoundDrawing(Drawing drawing, Triangulation rest)
       rest_(std::move(rest)),
       paths_(drawing_.paths, rest_, Locator(rest_)) {
   if (drawing_.bitmap) texture_.emplace(*drawing_.bitmap, in_pixels(rest_, drawing_.page, 1));
+}
+
+std::vector<VectorPath> BoundDrawing::paths(const Eigen::Matrix2Xd& V,
+                                            const Eigen::VectorXd& depth) const {
+  const Locator locator(rest_);
+  return BoundPaths(in_layers(drawing_.paths, rest_, locator, depth), rest_, locator)(V);
 }
 
 Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,

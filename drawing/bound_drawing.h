@@ -24,8 +24,10 @@ class BoundDrawing {
   Bitmap picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth, const Page& page,
                  double resolution) const;
 
-  /// The curves with the vertices at V. A bitmap has none.
-  std::vector<VectorPath> paths(const Eigen::Matrix2Xd& V) const { return paths_(V); }
+  /// The curves with the vertices at V, in the order in which they are painted. Where triangles
+  /// overlap, what belongs to the one with the greatest depth (#F) is in front; without depths
+  /// (size 0), the curves keep their order. A bitmap has none.
+  std::vector<VectorPath> paths(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth) const;
 
   /// The page of the drawing, enlarged by whole steps of `step` [length] so that it contains what
   /// is on it at rest. Throws InputError if a coordinate is not finite.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drawing/vector/curves.h"
 #include "drawing/vector/write_svg.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -48,6 +49,19 @@ void write_mesh(const fs::path& out, const BoundDrawing& drawing, const Eigen::M
   Shape shape = same ? read_shape(file) : to_shape(drawing.rest());
   shape.V.topRows<2>() = V;
   write_shape(out, shape, same ? file : fs::path());
+}
+
+/// The paths without cuts that the deformation did not need.
+std::vector<VectorPath> merged(std::vector<VectorPath> paths, const Page& page) {
+  constexpr double kTolerance = 1e-4;  // of the page's diagonal
+  const auto merge = [&](Outlines& outlines) {
+    for (Curve& curve : outlines.curves) curve = merged(curve, kTolerance * page.diagonal().norm());
+  };
+  for (VectorPath& path : paths) {
+    merge(path.outlines);
+    for (Outlines& clip : path.clips) merge(clip);
+  }
+  return paths;
 }
 
 /// A note for the user: how much the page grew on each side.
@@ -98,7 +112,7 @@ std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& 
                                     problem));
     write_png(drawing.picture(V, depth, page, resolution), out);
   } else {
-    write_svg(drawing.paths(V), page, out);
+    write_svg(merged(drawing.paths(V, depth), page), page, out);
   }
   return growth(own, page);
 }

@@ -34,8 +34,8 @@ struct DrawingOutputOptions {
 
 /// Throws InputError if a drawing cannot be written with the extension of `out`:
 ///   .png  Any drawing can be written.
-///   .svg  All drawings but bitmaps. Curves stay curves and keep their order at any depth.
-///   .obj .off .ply .stl  The mesh of any drawing, with z = 0 and y down. In OBJ, texture
+///   .svg  All drawings but bitmaps. Curves stay curves, and are in front where their triangles
+///   are. .obj .off .ply .stl  The mesh of any drawing, with z = 0 and y down. In OBJ, texture
 ///         coordinates are the positions at rest in the page. A drawing that was read from a mesh
 ///         of the same format keeps all else of its file.
 void check_output(const std::filesystem::path& out, const Drawing& drawing);

@@ -6,13 +6,37 @@
 namespace deformlab {
 namespace {
 
-using Cubic = Eigen::Matrix<double, 2, 4>;
-
 double length_of_control_polygon(const Cubic& c) {
   return (c.rightCols<3>() - c.leftCols<3>()).colwise().norm().sum();
 }
 
-/// The part of a cubic from parameter s to t. Blossoming gives its control points.
+/// One cubic in place of all pieces from `begin` on, if these are parts of equal lengths in its
+/// parameter.
+Cubic united(const Eigen::Matrix2Xd& points, Eigen::Index begin, Eigen::Index count) {
+  const Eigen::Index end = begin + 3 * count;
+  Cubic whole;
+  whole.col(0) = points.col(begin);
+  whole.col(1) = points.col(begin) + double(count) * (points.col(begin + 1) - points.col(begin));
+  whole.col(2) = points.col(end) + double(count) * (points.col(end - 1) - points.col(end));
+  whole.col(3) = points.col(end);
+  return whole;
+}
+
+/// Whether the pieces and the cubic that unites them have nearly the same control points.
+bool agree(const Eigen::Matrix2Xd& points, Eigen::Index begin, Eigen::Index count,
+           double tolerance) {
+  const Cubic whole = united(points, begin, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Cubic piece = part(whole, double(k) / double(count), double(k + 1) / double(count));
+    const Cubic own = points.middleCols<4>(begin + 3 * k);
+    if ((piece - own).colwise().norm().maxCoeff() > tolerance) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+// Blossoming gives the control points.
 Cubic part(const Cubic& c, double s, double t) {
   const auto blossom = [&](double u, double v, double w) -> Eigen::Vector2d {
     const auto between = [](const auto& p, const auto& q, double x) -> Eigen::Vector2d {
@@ -26,8 +50,6 @@ Cubic part(const Cubic& c, double s, double t) {
   result << blossom(s, s, s), blossom(s, s, t), blossom(s, t, t), blossom(t, t, t);
   return result;
 }
-
-}  // namespace
 
 Curve polygon(const Eigen::Matrix2Xd& corners, bool closed) {
   const Eigen::Index n = corners.cols(), sides = closed ? n : n - 1;
@@ -54,6 +76,22 @@ Curve cut(const Curve& curve, double longest) {
   result.points.col(0) = curve.points.col(0);
   for (std::size_t k = 0; k < pieces.size(); ++k)
     result.points.middleCols<3>(3 * static_cast<Eigen::Index>(k) + 1) = pieces[k].rightCols<3>();
+  return result;
+}
+
+Curve merged(const Curve& curve, double tolerance) {
+  const Eigen::Matrix2Xd& points = curve.points;
+  const Eigen::Index pieces = (points.cols() - 1) / 3;
+  Curve result{points, curve.closed};
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < pieces;) {
+    Eigen::Index count = 1;
+    while (i + count < pieces && agree(points, 3 * i, count + 1, tolerance)) ++count;
+    result.points.middleCols<3>(3 * kept + 1) = united(points, 3 * i, count).rightCols<3>();
+    i += count;
+    ++kept;
+  }
+  result.points.conservativeResize(2, 3 * kept + 1);
   return result;
 }
 

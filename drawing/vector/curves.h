@@ -8,6 +8,16 @@ namespace deformlab {
 /// to its first corner.
 Curve polygon(const Eigen::Matrix2Xd& corners, bool closed = true);
 
+/// A cubic Bézier curve by its control points.
+using Cubic = Eigen::Matrix<double, 2, 4>;
+
+/// The part of a cubic from parameter s to t. It goes backwards if t is less than s.
+Cubic part(const Cubic& cubic, double s, double t);
+
+/// The same curve with fewer pieces: neighbouring ones become one cubic if it differs from them by
+/// no more than `tolerance` [length].
+Curve merged(const Curve& curve, double tolerance);
+
 /// The same curve, cut into pieces whose control polygons are no longer than `longest` [length].
 Curve cut(const Curve& curve, double longest);
 

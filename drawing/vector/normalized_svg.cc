@@ -23,7 +23,8 @@ constexpr double kMostAcross = 1e6;  // [pixel]
 /// This overrides the style sheets of the file. Because text is not shown, no fonts are searched.
 constexpr std::string_view kStyleSheet =
     "text, image, foreignObject { display: none !important }"
-    "* { filter: none !important; mask: none !important }";
+    "* { filter: none !important; mask: none !important; "
+    "mix-blend-mode: normal !important; isolation: auto !important }";
 
 struct Unref {
   void operator()(RsvgHandle* handle) const { g_object_unref(handle); }

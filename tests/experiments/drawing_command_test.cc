@@ -271,6 +271,54 @@ TEST_F(DrawingCommand, TakesAVeryWideImage) {
   EXPECT_GE(read_png(place("out.png")).width, 19990);
 }
 
+/// How many of the pictures' bytes differ by more than a quarter.
+int differing(const Bitmap& a, const Bitmap& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) count += std::abs(a.rgba[i] - b.rgba[i]) > 64;
+  return count;
+}
+
+TEST_F(DrawingCommand, AnSvgShowsWhatThePngShows) {
+  // The arms of a cross come in front of its body.
+  const std::string cross = "M50 5H70V25H115V37H70V75H50V37H5V25H50Z";
+  const std::string edit =
+      "edit:\n"
+      "  - {select: {point: [60, 70]}, fix: true}\n"
+      "  - {select: {point: [60, 10]}, fix: true}\n"
+      "  - {select: {point: [9, 31]}, to: [60, 55]}\n"
+      "  - {select: {point: [111, 31]}, to: [64, 62]}\n";
+  put_svg("depth.svg",
+          "<rect x='5' y='25' width='47' height='12' fill='#c33'/>"
+          "<rect x='68' y='25' width='47' height='12' fill='#3a3'/>"
+          "<rect x='50' y='5' width='20' height='70' fill='#88a'/>");
+  put_svg("even_odd.svg", "<path fill-rule='evenodd' fill='#36c' d='" + cross + "'/>");
+  put_svg("stroke.svg", "<path fill='#36c' stroke='#c20' stroke-width='3' d='" + cross + "'/>");
+  put_svg("clip.svg", "<clipPath id='c'><path clip-rule='evenodd' d='" + cross +
+                          "'/></clipPath><g clip-path='url(#c)'><rect width='120' height='80' "
+                          "fill='#ca3'/><circle cx='60' cy='31' r='25' fill='#36a'/></g>");
+  for (const std::string name : {"depth", "even_odd", "stroke", "clip"}) {
+    for (const std::string out : {"out.svg", "out.png"}) {
+      Words words = deform(name + ".svg", edit, out);
+      words.insert(words.end(), {"output.grow=false", "--vertices", "150"});
+      expect_success(words);
+    }
+    Words again = deform("out.svg", "edit:\n  - {select: {all: true}, fix: true}\n", "again.png");
+    again.emplace_back("output.grow=false");
+    expect_success(again);
+    const Bitmap shown = read_png(place("again.png")), png = read_png(place("out.png"));
+    ASSERT_EQ(shown.rgba.size(), png.rgba.size());
+    const double bytes = static_cast<double>(png.rgba.size());
+    EXPECT_LT(differing(shown, png), 0.004 * bytes) << name;  // a hidden arm would be 0.01
+  }
+}
+
+TEST_F(DrawingCommand, CurvesAreSplitOnlyAsFarAsTheirDeformationNeeds) {
+  put_svg("bar.svg", "<rect x='10' y='25' width='100' height='30' fill='#c33'/>");
+  expect_success(deform("bar.svg", "edit:\n  - {select: {point: [60, 40]}, fix: true}\n", "o.svg"));
+  const std::string text = get("o.svg");
+  EXPECT_EQ(std::ranges::count(text, 'C'), 4) << text;
+}
+
 TEST_F(DrawingCommand, APartWithoutAHandleStaysAndIsNamed) {
   put("two.obj",
       "v 10 25 0\nv 110 25 0\nv 110 55 0\nv 10 55 0\nv 10 65 0\nv 110 65 0\nv 110 75 0\n"

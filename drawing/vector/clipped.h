@@ -1,0 +1,34 @@
+#pragma once
+
+#include <polyclipping/clipper.hpp>
+
+#include "drawing/vector/vector_path.h"
+
+namespace deformlab {
+
+/// What lies in a region, which is given by the polygons of Clipper (non-zero winding) in `scale`
+/// units of length [1/length]. Curves stay curves between the places where they are cut.
+class Clipped {
+ public:
+  Clipped(ClipperLib::Paths region, double scale) : region_(std::move(region)), scale_(scale) {}
+
+  /// The part of what is inside the outlines. It is `outlines` itself if nothing lies outside.
+  Outlines inside(const Outlines& outlines) const;
+
+  /// A part of a curve, and where it begins along the curve [length].
+  struct Piece {
+    Curve curve;
+    double begin;
+  };
+  /// The parts of the curve in its own direction. It is the curve itself if nothing lies outside.
+  std::vector<Piece> along(const Curve& curve) const;
+
+ private:
+  ClipperLib::Paths region_;
+  double scale_;
+};
+
+/// What lies inside of both outlines. It is the first one itself if it lies in the second one.
+Outlines common(const Outlines& outlines, const Outlines& clip, double scale);
+
+}  // namespace deformlab
