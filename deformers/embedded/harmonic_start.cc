@@ -207,14 +207,20 @@ class HarmonicStart {
   const double shortest_;
 };
 
-// The rotation vector of R that is nearest to `before`: full turns are added along the axis.
+// The rotation vector of R that is nearest to `before`. Full turns are added along the axis of R.
+// Near a full turn, where R has hardly an axis, they are added along `before`.
 Eigen::Vector3d continued(const Eigen::Matrix3d& R, const Eigen::Vector3d& before) {
   const Eigen::AngleAxisd turn(R);
-  const Eigen::Vector3d axis =
-      turn.angle() > 0 || before.norm() == 0 ? turn.axis() : before.normalized();
   const double full = 2 * std::numbers::pi;
-  const double turns = std::round((axis.dot(before) - turn.angle()) / full);
-  return (turn.angle() + full * turns) * axis;
+  const auto wound = [&](const Eigen::Vector3d& axis) {
+    const Eigen::Vector3d least = turn.angle() * turn.axis();
+    return Eigen::Vector3d(least + full * std::round(axis.dot(before - least) / full) * axis);
+  };
+  const Eigen::Vector3d along_axis = wound(turn.axis());
+  if (!(before.norm() > 0)) return along_axis;
+  const Eigen::Vector3d along_before = wound(before.normalized());
+  const bool is_axis = (along_axis - before).norm() <= (along_before - before).norm();
+  return is_axis || turn.angle() > std::numbers::pi / 2 ? along_axis : along_before;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "geometry/graph/deformation_graph.h"
 
@@ -111,6 +113,50 @@ Metrics node_shear(const Transformations& X) {
     shear.add((svd.singularValues().array() - 1).matrix().norm(), 1);
   }
   return {{"node_shear_mean", shear.mean()}, {"node_shear_max", shear.max}};
+}
+
+namespace {
+
+// Whether every side of a triangle is that of another one in the other direction.
+bool is_closed(const Eigen::Matrix3Xi& T) {
+  std::map<std::pair<int, int>, int> sides;
+  for (const auto t : T.colwise()) {
+    for (int c = 0; c < 3; ++c) {
+      const int a = t[c], b = t[(c + 1) % 3];
+      sides[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  return std::ranges::all_of(sides, [](const auto& side) { return side.second == 0; });
+}
+
+double signed_volume(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T) {
+  double sum = 0;
+  for (const auto t : T.colwise()) {
+    const Eigen::Vector3d a = V.col(t[0]), b = V.col(t[1]), c = V.col(t[2]);
+    sum += a.dot(b.cross(c)) / 6;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Metrics edge_and_volume_ratios(const Shape& rest, const Shape& deformed) {
+  Metrics metrics;
+  double most = 0;
+  for (const auto& face : rest.faces) {
+    for (std::size_t c = 0; c < face.size(); ++c) {
+      const int a = face[c], b = face[(c + 1) % face.size()];
+      const double before = (rest.V.col(a) - rest.V.col(b)).norm();
+      const double after = (deformed.V.col(a) - deformed.V.col(b)).norm();
+      if (before > 0) most = std::max(most, after / before);
+    }
+  }
+  if (most > 0) metrics["edge_ratio_max"] = most;
+  const Eigen::Matrix3Xi T = triangles(rest);
+  if (T.cols() == 0 || !is_closed(T)) return metrics;
+  const double before = signed_volume(rest.V, T);
+  if (before != 0) metrics["volume"] = signed_volume(deformed.V, T) / before;
+  return metrics;
 }
 
 }  // namespace deformlab

@@ -35,6 +35,10 @@ Metrics distortion(const Shape& rest, const Shape& deformed);
 Metrics region_distortion(const Shape& rest, const Shape& deformed,
                           const std::vector<int>& vertices);
 
+/// edge_ratio_max, the greatest ratio of an edge's length to that at rest, and volume, the ratio of
+/// the signed volumes, which is left out for a mesh that does not enclose one.
+Metrics edge_and_volume_ratios(const Shape& rest, const Shape& deformed);
+
 /// The number of connected components of a shape. A vertex without a face is a component.
 int count_components(const Shape& shape);
 

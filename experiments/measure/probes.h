@@ -9,6 +9,7 @@ namespace deformlab {
 
 /// Measurements in addition to those of every run.
 struct MeasureOptions {
+  bool edit = false;
   double detail = 0;
   int stripes = 0;
   ConfigNode probes;
@@ -17,6 +18,10 @@ struct MeasureOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
+    visit("edit", o.edit,
+          "Whether to measure how well the edit of a shape is done: handle_miss, the greatest miss "
+          "of a handle divided by the longest way of one; edge_ratio_max, the greatest ratio of an "
+          "edge's length to that at rest; and, for a closed mesh, volume, the ratio of its volume");
     visit.range("detail", o.detail, {.min = 0, .max = 1},
                 "Features of the surface below this share of the bounding box's diagonal count as "
                 "detail, and how well they survive is measured; 0 does not measure it");

@@ -20,11 +20,6 @@ constexpr double kOpen = 0.5;       // mean edges between the two sides of a sea
 
 using Edge = std::pair<int, int>;
 
-double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets) {
-  if (targets.cols() == 0) return 0;
-  return (targets - targets_at_rest(rest, handles)).colwise().norm().maxCoeff();
-}
-
 std::vector<Edge> edges_of(const Shape& shape) {
   std::vector<Edge> edges;
   for (const auto& face : shape.faces) {
@@ -107,6 +102,11 @@ class Stretch {
 };
 
 }  // namespace
+
+double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets) {
+  if (targets.cols() == 0) return 0;
+  return (targets - targets_at_rest(rest, handles)).colwise().norm().maxCoeff();
+}
 
 std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3Xd& V,
                                         const Handles& handles, const Eigen::Matrix3Xd& targets,

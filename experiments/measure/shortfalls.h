@@ -12,6 +12,9 @@
 // one sentence for each kind of shortfall, and nothing where all is well.
 namespace deformlab {
 
+/// The longest way of a handle from its position at rest to its target [length].
+double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets);
+
 /// Handles that stop more than 2 % of the edit's motion, the longest way of a handle, short of
 /// their targets, and whatever the report calls undone.
 ///   V        3×#V, the deformed vertices [length]

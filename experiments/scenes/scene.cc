@@ -25,6 +25,11 @@ fs::path find_shape(const std::string& file, const fs::path& folder) {
       "meshes of libcgal-demo");
 }
 
+Shape generated(const ShapeOptions& options) {
+  if (options.rod.sides == 0) return make_plane(options);
+  return inside_option("rod", [&] { return make_rod(options.rod); });
+}
+
 }  // namespace
 
 Shape make_plane(const ShapeOptions& o) {
@@ -51,8 +56,8 @@ Shape make_plane(const ShapeOptions& o) {
 
 Shape make_shape(const ShapeOptions& options, const fs::path& folder) {
   Shape shape =
-      options.file.empty() ? make_plane(options) : read_shape(find_shape(options.file, folder));
-  check(shape, "the plane that `shape` describes");
+      options.file.empty() ? generated(options) : read_shape(find_shape(options.file, folder));
+  check(shape, "what `shape` describes");
   if (options.vertices != 0) shape = resampled(shape, options.vertices);
   if (options.scan.views != 0) shape = range_scan(shape, options.scan);
   return shape;

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "experiments/scenes/range_scan.h"
+#include "experiments/scenes/rod.h"
 #include "geometry/shape/shape.h"
 
 namespace deformlab {
 
-/// Where the shape of a config comes from: a file, or a generated plane.
+/// Where the shape of a config comes from: a file, or a generated plane or rod.
 struct ShapeOptions {
   std::string file;        ///< beside the config, in the working folder, or a packaged mesh
   int columns = 201;       ///< columns of vertices of the generated plane, along x
@@ -17,6 +18,7 @@ struct ShapeOptions {
   double depth = 1;        ///< [length]
   int bumps = 0;           ///< periods of z = bump_height sin sin along each side
   double bump_height = 0;  ///< [length]
+  RodOptions rod;          ///< takes the place of the plane
   int vertices = 0;        ///< the mesh is subdivided or simplified to this number; 0: it is not
   RangeScanOptions scan;   ///< replaces the shape by scans of it
 
@@ -35,6 +37,7 @@ struct ShapeOptions {
                 "The extent of the plane along y [length]");
     visit("bumps", o.bumps, "The number of periods of the plane's bumps along each side");
     visit("bump_height", o.bump_height, "The amplitude of the bumps along z [length]");
+    visit("rod", o.rod, "A closed rod along z, which takes the place of the plane");
     visit.range(
         "vertices", o.vertices, {.min = 0, .max = 2'000'000},
         "The mesh is subdivided or simplified to this number of vertices; 0 leaves it as it "

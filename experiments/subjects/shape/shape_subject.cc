@@ -75,7 +75,13 @@ class ShapeSubject : public Subject {
     if (options_.measure.detail > 0) {
       metrics.merge(detail(rest_, deformed, options_.measure.detail));
     }
-    if (options_.measure.stripes != 0 && options_.shape.file.empty()) {
+    if (options_.measure.edit) {
+      metrics.merge(edge_and_volume_ratios(rest_, deformed));
+      const double motion = edit_motion(rest_, edit_.handles, edit_.targets);
+      if (motion > 0) metrics["handle_miss"] = drag_.last.handle_max / motion;
+    }
+    const bool is_plane = options_.shape.file.empty() && options_.shape.rod.sides == 0;
+    if (options_.measure.stripes != 0 && is_plane) {
       metrics.merge(stripes(deformed.V, options_.shape.columns, options_.measure.stripes));
     }
     const std::vector<int> probes =
