@@ -64,6 +64,9 @@ std::vector<Scenario> edit_scenarios() {
       {"from rest", "our CHOLMOD path", "nodes", sizes,
        [=](int nodes) { return from_rest(nodes, ours); },
        [](int nodes) { return from_rest(nodes, cholmod_options()); }},
+      {"a drag with the preset default", "the preset sumner_2007", "nodes", sizes,
+       [](int nodes) { return drag_with_preset(nodes, Preset::kDefault); },
+       [](int nodes) { return drag_with_preset(nodes, Preset::kSumner2007); }, 2},
       {"from rest with the transfer", "CGAL", "nodes", sizes, with_transfer,
        [](int) { return cgal_arap_from_rest(); }},
   };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "deformers/baselines/cgal_arap.h"
 
@@ -30,6 +32,18 @@ RunResult update_without_transfer(EmbeddedDeformation& deformation,
   Report report;
   const double ms = ms_of([&] { report = deformation.update(targets); });
   return result_of(ms - 1e3 * report.seconds.at("transfer"), report.solve);
+}
+
+Way drag_of(const std::string& name, EmbeddedDeformation dragged) {
+  auto deformation = std::make_shared<EmbeddedDeformation>(std::move(dragged));
+  deformation->compile(reference_scene().handles);
+  deformation->update(targets(0, 0));
+  return {name, [deformation] {
+            // The first of the two drags is not timed: it refills the caches, which the other way
+            // used in between.
+            deformation->update(targets(0, kDrag));
+            return update_without_transfer(*deformation, targets(0, 0));
+          }};
 }
 
 }  // namespace
@@ -88,15 +102,13 @@ Way with_transfer(int nodes) {
 }
 
 Way drag(int nodes, const SolverOptions& options) {
-  auto deformation = std::make_shared<EmbeddedDeformation>(reference_deformation(nodes, options));
-  deformation->compile(reference_scene().handles);
-  deformation->update(targets(0, 0));
-  return {describe(options), [deformation] {
-            // The first of the two drags is not timed: it refills the caches, which the other way
-            // used in between.
-            deformation->update(targets(0, kDrag));
-            return update_without_transfer(*deformation, targets(0, 0));
-          }};
+  return drag_of(describe(options), reference_deformation(nodes, options));
+}
+
+Way drag_with_preset(int nodes, Preset preset) {
+  EmbeddedDeformationOptions options = preset_options(preset);
+  options.graph.nodes = nodes;
+  return drag_of(fmt::format("preset {}", name_of(preset)), {reference_scene().shape, options});
 }
 
 Way step(int nodes, const SolverOptions& options) {

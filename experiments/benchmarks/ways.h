@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "deformers/embedded/presets.h"
 #include "experiments/benchmarks/ab_runner.h"
 #include "experiments/benchmarks/reference_scene.h"
 #include "solvers/options.h"
@@ -27,6 +28,9 @@ Way with_transfer(int nodes);
 
 /// A drag by 1 % of the side that follows another one, without the transfer.
 Way drag(int nodes, const SolverOptions& options);
+
+/// The same with the graph, the weights and the start of a preset, and with the default solver.
+Way drag_with_preset(int nodes, Preset preset);
 
 /// The mean time of a step of a solve from rest, without our compilation or Ceres' preprocessing.
 Way step(int nodes, const SolverOptions& options);
