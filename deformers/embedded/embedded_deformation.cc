@@ -4,14 +4,14 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
+#include "deformers/embedded/border.h"
 #include "deformers/embedded/harmonic_start.h"
 #include "deformers/embedded/node_states.h"
 #include "deformers/embedded/reflections.h"
+#include "deformers/embedded/winding.h"
 #include "deformers/handle_checks.h"
 #include "energies/graph/constraint.h"
 #include "energies/graph/regularization.h"
@@ -61,9 +61,6 @@ bool have_same_nodes(const Embedding& a, const Embedding& b) {
   const bool same_size = a.nodes.rows() == b.nodes.rows() && a.nodes.cols() == b.nodes.cols();
   return same_size && a.nodes == b.nodes && a.weights == b.weights;
 }
-
-// NaN stands for what is unknown.
-double larger(double a, double b) { return std::isnan(b) || a > b ? a : b; }
 
 std::unique_ptr<Solver> solver_of(const EmbeddedDeformationOptions& options) {
   return inside_option("solver", [&] { return make_solver(options.solver); });
@@ -175,47 +172,13 @@ Eigen::Matrix3Xd EmbeddedDeformation::points(const Transformations& X) const {
   return transfer_positions(X, graph_.g, handles_).middleCols(moved_ - points_, points_);
 }
 
-// Sumner et al. 2007, Eq. 9: R_q = I, t_q = 0 for every node that influences a fixed vertex. At a
-// soft border the node must also influence nothing else.
-std::vector<char> EmbeddedDeformation::nodes_to_fix(const Handles& handles) const {
-  std::vector<char> fixed(problem_.fixed.size(), 0);
-  const auto mark = [&](const Embedding& of, Eigen::Index column, char value) {
-    for (Eigen::Index a = 0; a < of.nodes.rows(); ++a) {
-      if (of.weights(a, column) > 0) fixed[of.nodes(a, column)] = value;
-    }
-  };
-  std::vector<char> is_free(static_cast<std::size_t>(rest_.V.cols()), 1);
-  for (const int i : handles.fixed) is_free[i] = 0;
-  for (const int i : handles.fixed) {
-    const bool is_embedded = active_.empty() || std::ranges::binary_search(active_, i);
-    if (is_embedded) mark(embedding_, i, 1);
-  }
-  if (options_.border == Border::kEliminate) return fixed;
-  for (Eigen::Index i = 0; i < rest_.V.cols(); ++i) {
-    if (is_free[i]) mark(embedding_, i, 0);
-  }
-  for (Eigen::Index l = moved_ - points_; l < moved_; ++l) mark(handles_, l, 0);
-  return fixed;
-}
-
-void EmbeddedDeformation::fix_nodes(const Handles& handles) {
-  problem_.fixed = nodes_to_fix(handles);
+void EmbeddedDeformation::fix_nodes(const std::vector<char>& fixed) {
+  problem_.fixed = fixed;
   const Eigen::MatrixXd rest = rest_states(1).X;
   for (int j = 0; j < problem_.x.nodes(); ++j) {
     const int first = problem_.x.first[j], columns = problem_.x.columns(j);
     if (problem_.fixed[j]) problem_.x.X.middleCols(first, columns) = rest;
   }
-}
-
-void EmbeddedDeformation::embed_handles(const Handles& handles) {
-  points_ = handles.points.cols();
-  moved_ = handles.targets();
-  rotations_ = handles.rotations;
-  groups_ = handles.groups;
-  handles_ = joined(subset(embedding_, handles.moved), embedded_points(handles.points));
-  fix_nodes(handles);
-  embed_border(handles);
-  embed_satellites(handles);
 }
 
 Embedding EmbeddedDeformation::embedded_points(const Eigen::Matrix3Xd& points) const {
@@ -224,14 +187,20 @@ Embedding EmbeddedDeformation::embedded_points(const Eigen::Matrix3Xd& points) c
   return embed_at_vertices(points, subset(embedding_, active_));
 }
 
-void EmbeddedDeformation::embed_border(const Handles& handles) {
-  if (options_.border == Border::kEliminate) return;
-  std::vector<int> border;
-  for (const int i : handles.fixed) {
-    const bool is_embedded = active_.empty() || std::ranges::binary_search(active_, i);
-    if (is_embedded && influence_of_free(embedding_, i, problem_.fixed) > 0) border.push_back(i);
+void EmbeddedDeformation::embed_handles(const Handles& handles) {
+  points_ = handles.points.cols();
+  moved_ = handles.targets();
+  rotations_ = handles.rotations;
+  groups_ = handles.groups;
+  fixed_ = handles.fixed;
+  const Embedding points = embedded_points(handles.points);
+  handles_ = joined(subset(embedding_, handles.moved), points);
+  const FixedPart part{embedding_, active_, fixed_};
+  fix_nodes(fixed_nodes(part, points, options_.border, graph_.g.cols()));
+  if (options_.border == Border::kSoft) {
+    handles_ = joined(handles_, subset(embedding_, border_vertices(part, problem_.fixed)));
   }
-  handles_ = joined(handles_, subset(embedding_, border));
+  embed_satellites(handles);
 }
 
 // In the plane, every handle that turns has a ring of points instead.
@@ -278,6 +247,15 @@ Eigen::VectorXd EmbeddedDeformation::node_stiffness() const {
   return (result.array() > 0).select(result, 1);
 }
 
+// Those that are fixed, and those nearest to the fixed vertices of a soft border.
+std::vector<char> EmbeddedDeformation::nodes_at_rest() const {
+  std::vector<char> at_rest = problem_.fixed;
+  for (Eigen::Index l = moved_; l < handles_.v.cols() - satellites_.count(); ++l) {
+    at_rest[handles_.nodes(0, l)] = 1;
+  }
+  return at_rest;
+}
+
 void EmbeddedDeformation::pin_components() {
   Pins pins = pin_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), problem_.fixed);
   at_one_point_ = std::move(pins.at_one_point);
@@ -310,7 +288,6 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   Stopwatch watch(seconds_["compile"]);
   check_handles(handles, rest_.V.cols());
   if (options_.graph.region == NodeRegion::kActive) build_active_graph(handles);
-  fixed_ = handles.fixed;
   embed_handles(handles);
   pin_components();
   make_terms();
@@ -366,7 +343,9 @@ void EmbeddedDeformation::measure(const Transformations& X, const Eigen::Matrix3
   report.inside_out = count_inside_out(X);
   measure_handles(transfer_positions(X, graph_.g, handles_).leftCols(moved_), targets, report);
   report.immovable = immovable_;
-  find_lost_turns(X, report);
+  if (auto lost = lost_turn(graph_, X, handles_, rotations_, nodes_at_rest())) {
+    report.undone.push_back(std::move(*lost));
+  }
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = report.solve.seconds["total"];
 }
@@ -419,27 +398,6 @@ void EmbeddedDeformation::relax(const Eigen::Matrix3Xd& targets, Report& report)
   } else {
     problem_.x = first;
   }
-}
-
-// A region that should turn by more than a half turn may have unwound.
-void EmbeddedDeformation::find_lost_turns(const Transformations& X, Report& report) const {
-  const double most = rotations_.cols() == 0 ? 0 : rotations_.colwise().norm().redux(larger);
-  if (!(most > 1.01 * std::numbers::pi)) return;
-  std::vector<char> at_rest = problem_.fixed;
-  for (Eigen::Index l = moved_; l < handles_.v.cols() - satellites_.count(); ++l) {
-    at_rest[handles_.nodes(0, l)] = 1;
-  }
-  const Eigen::Matrix3Xd omega = unwound_rotations(graph_, X, at_rest);
-  double lost = 0;
-  for (Eigen::Index l = 0; l < moved_; ++l) {
-    const double off = (omega.col(handles_.nodes(0, l)) - rotations_.col(l)).norm();
-    if (off > std::numbers::pi) lost = std::max(lost, rotations_.col(l).norm());
-  }
-  if (lost == 0) return;
-  report.undone.push_back(fmt::format(
-      "the shape does not hold a turn of {:.0f} degrees: it unwinds by a full turn (360 degrees); "
-      "turn the region less, or take its middle along with handles of its own",
-      lost * 180 / std::numbers::pi));
 }
 
 Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {

@@ -61,14 +61,13 @@ class EmbeddedDeformation final : public Deformer {
   void register_graph(BuiltGraph built);
   void build_active_graph(const Handles& handles);
   Unknowns rest_states(int m) const;
-  std::vector<char> nodes_to_fix(const Handles& handles) const;
-  void fix_nodes(const Handles& handles);
+  void fix_nodes(const std::vector<char>& fixed);
   void embed_handles(const Handles& handles);
   Embedding embedded_points(const Eigen::Matrix3Xd& points) const;
-  void embed_border(const Handles& handles);
   void embed_satellites(const Handles& handles);
   Eigen::Matrix3Xd all_targets(const Eigen::Matrix3Xd& targets) const;
   Eigen::VectorXd node_stiffness() const;
+  std::vector<char> nodes_at_rest() const;
   void pin_components();
   void make_terms();
   void transfer(const Transformations& X);
@@ -77,7 +76,6 @@ class EmbeddedDeformation final : public Deformer {
   bool begin_harmonic(const Eigen::Matrix3Xd& targets);
   void set_constraint_weight(double weight);
   void relax(const Eigen::Matrix3Xd& targets, Report& report);
-  void find_lost_turns(const Transformations& X, Report& report) const;
   void measure(const Transformations& X, const Eigen::Matrix3Xd& targets, Report& report) const;
   void add_notes(Report& report) const;
 

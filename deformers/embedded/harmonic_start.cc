@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
-#include <queue>
 
 #include "deformers/embedded/node_states.h"
 
@@ -207,22 +205,6 @@ class HarmonicStart {
   const double shortest_;
 };
 
-// The rotation vector of R that is nearest to `before`. Full turns are added along the axis of R.
-// Near a full turn, where R has hardly an axis, they are added along `before`.
-Eigen::Vector3d continued(const Eigen::Matrix3d& R, const Eigen::Vector3d& before) {
-  const Eigen::AngleAxisd turn(R);
-  const double full = 2 * std::numbers::pi;
-  const auto wound = [&](const Eigen::Vector3d& axis) {
-    const Eigen::Vector3d least = turn.angle() * turn.axis();
-    return Eigen::Vector3d(least + full * std::round(axis.dot(before - least) / full) * axis);
-  };
-  const Eigen::Vector3d along_axis = wound(turn.axis());
-  if (!(before.norm() > 0)) return along_axis;
-  const Eigen::Vector3d along_before = wound(before.normalized());
-  const bool is_axis = (along_axis - before).norm() <= (along_before - before).norm();
-  return is_axis || turn.angle() > std::numbers::pi / 2 ? along_axis : along_before;
-}
-
 }  // namespace
 
 Eigen::Matrix3Xd handle_rotations(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& q,
@@ -245,31 +227,6 @@ std::optional<Transformations> harmonic_start(const StartProblem& problem,
   HarmonicStart start(problem);
   if (!start.turn(rotations)) return std::nullopt;
   return start.move(targets);
-}
-
-Eigen::Matrix3Xd unwound_rotations(const DeformationGraph& graph, const Transformations& X,
-                                   const std::vector<char>& at_rest) {
-  const Eigen::Index m = graph.g.cols();
-  std::vector<std::vector<int>> neighbors(static_cast<std::size_t>(m));
-  for (const GraphEdge& edge : graph.edges) {
-    neighbors[edge.j].push_back(edge.k);
-    neighbors[edge.k].push_back(edge.j);
-  }
-  Eigen::Matrix3Xd omega = Eigen::Matrix3Xd::Constant(3, m, kNaN);
-  std::queue<int> queue;
-  for (int j = 0; j < m; ++j) {
-    if (!at_rest[j]) continue;
-    omega.col(j).setZero();
-    queue.push(j);
-  }
-  for (; !queue.empty(); queue.pop()) {
-    for (const int k : neighbors[queue.front()]) {
-      if (omega.col(k).allFinite()) continue;
-      omega.col(k) = continued(nearest_rotation(X.middleCols<3>(4 * k)), omega.col(queue.front()));
-      queue.push(k);
-    }
-  }
-  return omega;
 }
 
 }  // namespace deformlab

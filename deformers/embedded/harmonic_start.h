@@ -40,11 +40,4 @@ std::optional<Transformations> harmonic_start(const StartProblem& problem,
                                               const Eigen::Matrix3Xd& rotations,
                                               const Eigen::Matrix3Xd& targets);
 
-/// The rotation vectors of the nodes (3×m) [rad] that are reached from fixed nodes and from nodes
-/// of unmoved handles without a jump: neighbours differ by less than a half turn. So they show how
-/// often a region has turned, which a rotation alone does not. A column is NaN where no path leads.
-///   X  3×4m transformations
-Eigen::Matrix3Xd unwound_rotations(const DeformationGraph& graph, const Transformations& X,
-                                   const std::vector<char>& at_rest);
-
 }  // namespace deformlab

@@ -21,7 +21,8 @@ DEFINE_string(edit, "", "deform, animate: the YAML file of what is selected and 
 DEFINE_string(metrics, "", "deform, animate: a JSON file for the measurements");
 DEFINE_string(picture, "", "deform, animate: a PNG file of the shape or frames before and after");
 DEFINE_bool(strict, false, "deform: write nothing if the result is not what the edit asks for");
-DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes, "deform: number of graph nodes");
+DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes,
+             "deform: the most nodes that the graph may have");
 DEFINE_int32(vertices, deformlab::TriangulationOptions{}.vertices,
              "deform a drawing: number of vertices of its mesh");
 

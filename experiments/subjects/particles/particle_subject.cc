@@ -139,7 +139,9 @@ class ParticleSubject : public Subject {
 
 // The terms of the paper do not penalise a twist of the chain of a path, so smoothness is added.
 // The chain is solved fastest by this linear solver of Gauss–Newton, which Ceres does not have.
+// The graph is a path, where the paper's options do well and those for surfaces have no meaning.
 void set_defaults(const CommandLine& line, ConfigNode& root) {
+  apply_override(root, {"preset", "sumner_2007", "."});
   apply_override(root, {"energies.smoothness", "1", "."});
   const bool names_method = std::ranges::any_of(
       line.overrides, [](const std::string& text) { return text.starts_with("solver.method="); });

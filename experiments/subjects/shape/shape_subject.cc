@@ -111,10 +111,10 @@ class ShapeSubject : public Subject {
     const Report& report = drag_.last;
     const Summary& s = report.solve;
     return fmt::format(
-        "{} after {} steps: F {:.6g} -> {:.6g}, handles off by {:.3g} rms, min det R {:.3g}\n"
+        "{} after {} steps: F {:.6g}, handles off by {:.3g} rms, min det R {:.3g}\n"
         "{} nodes, {} edges, {} unknowns; written to {}\n",
-        to_string(s.status), s.iterations.size(), s.initial_cost, s.final_cost, report.handle_rms,
-        report.min_det_R, report.nodes, report.edges, s.unknowns, context_.command->out);
+        to_string(s.status), s.iterations.size(), s.final_cost, report.handle_rms, report.min_det_R,
+        report.nodes, report.edges, s.unknowns, context_.command->out);
   }
 
  private:
