@@ -87,6 +87,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
                                          const EmbeddedDeformationOptions& options,
                                          std::span<const Cut> cuts)
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
+  options_.graph.region = NodeRegion::kWhole;  // no other graph is built
   register_graph(
       inside_option("graph", [&] { return build_graph(rest_, nodes, options_.graph, cuts); }));
   compile({});
@@ -95,6 +96,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
 EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
                                          const EmbeddedDeformationOptions& options)
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
+  options_.graph.region = NodeRegion::kWhole;  // no other graph is built
   register_graph(
       inside_option("graph", [&] { return build_graph(rest_, std::move(graph), options_.graph); }));
   compile({});
@@ -284,10 +286,11 @@ void EmbeddedDeformation::make_terms() {
 }
 
 void EmbeddedDeformation::compile(const Handles& handles) {
+  check_handles(handles, rest_.V.cols());
+  // This replaces seconds_, so that it comes before the watch.
+  if (options_.graph.region == NodeRegion::kActive) build_active_graph(handles);
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
-  check_handles(handles, rest_.V.cols());
-  if (options_.graph.region == NodeRegion::kActive) build_active_graph(handles);
   embed_handles(handles);
   pin_components();
   make_terms();

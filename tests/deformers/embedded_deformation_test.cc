@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "deformers/embedded/presets.h"
 #include "geometry/graph/sampling.h"
 #include "tests/support/shapes.h"
 
@@ -363,6 +364,23 @@ TEST(EmbeddedDeformation, AHandleThatOnlyFixedNodesPullIsNotedBehindACut) {
   deformer.compile({{left[0]}, {left[1], right.back()}});
   const Report report = deformer.update(at(plane, {left[1], right.back()}));
   EXPECT_THAT(report.notes, Contains(HasSubstr("so cannot move: 1;")));
+}
+
+TEST(EmbeddedDeformation, KeepsAGraphThatIsGivenWithAnyPreset) {
+  const Shape shape = bumpy_plane(9);
+  const Eigen::Matrix3Xd nodes = shape.V(Eigen::all, std::vector<int>{0, 8, 40, 72, 80});
+  EmbeddedDeformation deformer(shape, nodes, preset_options());
+  Handles handles{.fixed = {0}, .moved = {80}};
+  deformer.compile(handles);
+  EXPECT_EQ(deformer.graph().g, nodes);
+}
+
+TEST(EmbeddedDeformation, TimesTheCompilationThatBuildsAGraph) {
+  const Shape shape = bumpy_plane(9);
+  EmbeddedDeformation deformer(shape, preset_options());
+  Handles handles{.fixed = {0}, .moved = {80}};
+  deformer.compile(handles);
+  EXPECT_TRUE(deformer.update(shape.V.col(80)).seconds.contains("compile"));
 }
 
 }  // namespace

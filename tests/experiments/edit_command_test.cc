@@ -41,12 +41,18 @@ class EditCommand : public Program {
   }
 
   // Five frames of a tube that does not move, edited by keyframes at 0 and 4.
-  std::vector<Shape> animated(const std::string& first, const std::string& last) const {
+  Ending animate(const std::string& first, const std::string& last, const Words& more = {}) const {
     for (int f = 0; f < 5; ++f) put(frame_name("in-", f), tube_frame(0, kRings));
     put("keys.yaml", "pose: 0\nkeyframes:\n  - {frame: 0, edit: [" + kFirst + ", " + first +
                          "]}\n  - {frame: 4, edit: [" + last + "]}\n");
-    expect_success(
-        {"animate", "--frames", "in-%d.obj", "--edit", "keys.yaml", "--out", "out-%d.obj"});
+    Words all{"animate", "--frames", "in-%d.obj", "--edit", "keys.yaml", "--out", "out-%d.obj"};
+    all.insert(all.end(), more.begin(), more.end());
+    return start(all);
+  }
+
+  std::vector<Shape> animated(const std::string& first, const std::string& last) const {
+    const Ending ending = animate(first, last);
+    EXPECT_EQ(ending.status, 0) << ending.err;
     std::vector<Shape> frames;
     for (int f = 0; f < 5; ++f) frames.push_back(read_shape(place(frame_name("out-", f))));
     return frames;
@@ -82,6 +88,19 @@ TEST_F(EditCommand, KeyframesTwistBeyondAHalfTurn) {
     const Eigen::Matrix3Xd arms = ring.colwise() - ring.rowwise().mean();
     EXPECT_GT(arms.colwise().norm().minCoeff(), 0.7) << "the tube does not collapse: " << f;
   }
+}
+
+TEST_F(EditCommand, ATurnThatAFrameCannotHoldIsTold) {
+  const std::string first = "{" + kEnd + ", by: [0, 0, 0]}";
+  const std::string last = "{" + kEnd + ", rotate: {axis: [1, 0, 0], degrees: 3600}}";
+  const Ending strict = animate(first, last, {"--strict"});
+  EXPECT_EQ(strict.status, 1);
+  EXPECT_THAT(strict.err, AllOf(HasSubstr("does not hold a turn"), HasSubstr("--strict")));
+  EXPECT_FALSE(exists("out-4.obj"));
+  const Ending ending = animate(first, last);
+  EXPECT_EQ(ending.status, 3);
+  EXPECT_THAT(ending.err, AllOf(HasSubstr("not done: frame "), HasSubstr("does not hold a turn")));
+  EXPECT_TRUE(exists("out-4.obj"));
 }
 
 TEST_F(EditCommand, FramesInAnotherOrderAreToldBeforeAnythingIsWritten) {

@@ -189,6 +189,19 @@ TEST(EditMotion, ARotationGoesAlongAnArcByAnyAngle) {
   }
 }
 
+TEST(EditMotion, TheStepsOfADragTurnAlongArcsToo) {
+  const ResolvedEdit edit = resolved(
+      "- {select: {vertices: [3, 4, 5]}, rotate: {axis: [0, 0, 1], degrees: 180}}\n"
+      "- {select: {vertices: [1]}, by: [0, 4, 0]}");
+  Eigen::Matrix3Xd rest(3, 4);
+  rest << row_and_triangle().V.rightCols(3), row_and_triangle().V.col(1);
+  const Eigen::Matrix3Xd half = edit.targets_at(0.5, rest);
+  EXPECT_LT((half.col(0) - at(3, 0, 0)).norm(), 1e-13) << "a quarter turn about (2, 1, 0)";
+  EXPECT_EQ(half.col(3), at(1, 2, 0));
+  EXPECT_LT((edit.targets_at(1, rest) - edit.targets).norm(), 1e-13);
+  EXPECT_LT((edit.targets_at(0, rest) - rest).norm(), 1e-13);
+}
+
 TEST(EditMotion, TranslationsGoStraight) {
   Motion shift;
   shift.shift = at(0, 4, 0);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "experiments/subjects/animation/resume_file.h"
+#include "experiments/subjects/outputs.h"
 #include "experiments/subjects/run_options.h"
 
 namespace deformlab {
@@ -37,6 +39,21 @@ void check_animation(const RunOptions& options, const RunContext& context) {
     check(o.sequence, o.frames);
   }
   read_script(options.edit, o.keyframes);
+}
+
+void check_files(const CommandLine& c, const FrameFiles& frames, const FramePattern& out) {
+  const int first = frames.range().first;
+  check_outputs({frames.pattern().path(first).string(), c.edit},
+                {{out.path(first).string(), "--out"},
+                 {out.text() + kProgressEnding, "--out"},
+                 {c.metrics, "--metrics"},
+                 {c.picture, "--picture"}});
+  for (const auto& [path, flag] :
+       {std::pair(c.metrics, "--metrics"), {c.picture, "--picture"}, {c.edit, "--edit"}}) {
+    check_no_frame(path, flag, frames.pattern());
+    check_no_frame(path, flag, out);
+  }
+  check_apart(frames.pattern(), out, frames.range());
 }
 
 std::string name_of_file(const RunContext& context, const std::string& flag) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "experiments/subjects/animation/animation_pictures.h"
+#include "experiments/subjects/animation/frame_source.h"
 #include "experiments/subjects/animation/script.h"
 
 namespace deformlab {
@@ -61,6 +62,10 @@ struct AnimationOptions {
 /// Throws InputError for options that no animation supports, for a method other than embedded
 /// deformation, and for edits that read_script does not accept.
 void check_animation(const RunOptions& options, const RunContext& context);
+
+/// Throws InputError if a file that a command reads or writes beside the frames is a frame, or is
+/// the file that says how far a stopped command came.
+void check_files(const CommandLine& command, const FrameFiles& frames, const FramePattern& out);
 
 /// What messages call the option that names the files: "--FLAG" of a command, or animation.file.
 std::string name_of_file(const RunContext& context, const std::string& flag);

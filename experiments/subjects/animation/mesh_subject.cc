@@ -13,7 +13,6 @@
 #include "experiments/subjects/animation/progress_line.h"
 #include "experiments/subjects/animation/resume_file.h"
 #include "experiments/subjects/animation/solve_log.h"
-#include "experiments/subjects/outputs.h"
 #include "experiments/subjects/run_options.h"
 #include "experiments/subjects/shape/paint.h"
 #include "geometry/core/error.h"
@@ -23,23 +22,6 @@ namespace deformlab {
 namespace {
 
 constexpr const char* kFlag = "frames";
-
-// Checks that no file of a command is a frame, or the file that says how far a stopped command
-// came.
-void check_files(const CommandLine& c, const FrameFiles& frames, const FramePattern& out) {
-  const int first = frames.range().first;
-  check_outputs({frames.pattern().path(first).string(), c.edit},
-                {{out.path(first).string(), "--out"},
-                 {out.text() + kProgressEnding, "--out"},
-                 {c.metrics, "--metrics"},
-                 {c.picture, "--picture"}});
-  for (const auto& [path, flag] :
-       {std::pair(c.metrics, "--metrics"), {c.picture, "--picture"}, {c.edit, "--edit"}}) {
-    check_no_frame(path, flag, frames.pattern());
-    check_no_frame(path, flag, out);
-  }
-  check_apart(frames.pattern(), out, frames.range());
-}
 
 class MeshSubject : public Subject {
  public:
@@ -103,9 +85,14 @@ class MeshSubject : public Subject {
 
   std::string failure() const override {
     if (!failed_) return "";
+    if (context_.command->strict && !undone_.empty()) {
+      return fmt::format("{}; it was not written, because of --strict", undone_.front());
+    }
     return fmt::format("frame {}: the solver failed: {}; it was not written", *failed_,
                        solve_.message);
   }
+
+  std::vector<std::string> shortfalls() const override { return undone_; }
 
   Run measure() const override {
     Run run = log_.run();
@@ -176,13 +163,19 @@ class MeshSubject : public Subject {
     return deformer_->update(input, motion_->offsets(frame), motion_->rotations(frame));
   }
 
-  // A command stops at a frame that cannot be solved. A config measures this frame, because its
-  // claims may be about it.
+  // A command stops at a frame that cannot be solved, and with --strict at one that does not show
+  // what the edit asks for. A config measures this frame, because its claims may be about it.
   bool make(int frame) {
     const Shape input = frames_->read(frame);
     const Report report = update(input, frame);
     solve_ = report.solve;
-    if (context_.writes() && solve_.status == Status::kFailed) {
+    if (undone_.empty()) {  // one frame tells it for all
+      for (const std::string& what : report.undone) {
+        undone_.push_back(fmt::format("frame {}: {}", frame, what));
+      }
+    }
+    const bool strict = context_.writes() && context_.command->strict && !undone_.empty();
+    if (strict || (context_.writes() && solve_.status == Status::kFailed)) {
       failed_ = frame;
       return false;
     }
@@ -225,6 +218,7 @@ class MeshSubject : public Subject {
   SolveLog log_;
   Summary solve_;
   int passed_ = 0;
+  std::vector<std::string> undone_;  // what the edit asked for in a frame that does not show it
   std::optional<int> failed_;
 };
 

@@ -88,10 +88,9 @@ struct EditEntry {
         "rotate", o.rotate,
         "A rotation; together with 'by' it comes first. One vertex, or one point, holds the angle");
     visit("scale", o.scale, "A change of size; together with 'rotate' and 'by' it comes first");
-    visit(
-        "matrix", o.matrix,
-        "A 4×4 matrix, as a list of its four rows, that takes [x, y, z, 1] to the target; the last "
-        "row is [0, 0, 0, 1]");
+    visit("matrix", o.matrix,
+          "A 4×4 matrix, as a list of its four rows, that takes a position and 1 to the target and "
+          "1");
     visit(
         "targets", o.targets,
         "A CSV file beside the YAML file, with one handle in each line: the index of a vertex, or "
