@@ -166,7 +166,7 @@ Drawing read_polygon(const fs::path& path, const DrawingOptions& options) {
 
 Drawing read_mesh(const fs::path& path) {
   Drawing drawing;
-  drawing.mesh = flat(read_shape(path), path.string());
+  drawing.mesh = flat(read_shape(path, &drawing.notes), path.string());
   drawing.page = page_around(drawing.mesh->V);
   for (Eigen::Index f = 0; f < drawing.mesh->F.cols(); ++f)
     drawing.paths.push_back(

@@ -1,5 +1,7 @@
 #include "experiments/scenes/scene.h"
 
+#include <glog/logging.h>
+
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -55,8 +57,10 @@ Shape make_plane(const ShapeOptions& o) {
 }
 
 Shape make_shape(const ShapeOptions& options, const fs::path& folder) {
-  Shape shape =
-      options.file.empty() ? generated(options) : read_shape(find_shape(options.file, folder));
+  std::vector<std::string> notes;
+  Shape shape = options.file.empty() ? generated(options)
+                                     : read_shape(find_shape(options.file, folder), &notes);
+  for (const std::string& note : notes) LOG(WARNING) << note;
   check(shape, "what `shape` describes");
   if (options.vertices != 0) shape = resampled(shape, options.vertices);
   if (options.scan.views != 0) shape = range_scan(shape, options.scan);

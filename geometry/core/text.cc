@@ -30,6 +30,12 @@ std::optional<Real> to_real(std::string_view word) {
 
 }  // namespace
 
+Lines::Lines(std::string_view bytes, bool continued) : bytes_(bytes), continued_(continued) {
+  if (bytes.starts_with(kByteOrderMark)) end_ = kByteOrderMark.size();
+  line_feed_ = std::min(bytes.find('\n'), bytes.size());
+  return_ = std::min(bytes.find('\r'), bytes.size());
+}
+
 bool Lines::next() {
   do {
     if (end_ >= bytes_.size()) return false;
@@ -42,16 +48,32 @@ bool Lines::next() {
 }
 
 void Lines::find_end() {
-  bool joined = continued_;
   end_ = begin_;
+  bool joined = continued_;
   do {
-    const std::size_t line_break = bytes_.find('\n', end_);
-    end_ = std::min(line_break, bytes_.size() - 1) + 1;
+    const std::size_t begin = end_;
+    end_ = find_break(begin);
     ++next_number_;
-    const std::string_view line = bytes_.substr(begin_, end_ - begin_);
-    const std::size_t last = continued_ ? line.find_last_not_of("\r\n") : line.npos;
-    joined = last != line.npos && line[last] == '\\';
+    joined = continued_ && is_joined(bytes_.substr(begin, end_ - begin));
   } while (joined && end_ < bytes_.size());
+}
+
+// Where the line that begins at `at` ends, with its break. The next LF and CR are kept, because a
+// file may have only one of the two.
+std::size_t Lines::find_break(std::size_t at) {
+  if (line_feed_ < at) line_feed_ = std::min(bytes_.find('\n', at), bytes_.size());
+  if (return_ < at) return_ = std::min(bytes_.find('\r', at), bytes_.size());
+  const bool is_alone = return_ < line_feed_ && return_ + 1 != line_feed_;
+  return std::min((is_alone ? return_ : line_feed_) + 1, bytes_.size());
+}
+
+bool Lines::is_joined(std::string_view line) const {
+  const std::size_t last = line.find_last_not_of(" \t\r\n");
+  if (last == std::string_view::npos || line[last] != '\\') return false;
+  for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
+    if (at == 0 || is_blank(line[at - 1])) return false;  // a comment
+  }
+  return true;
 }
 
 void Lines::split() {

@@ -9,6 +9,9 @@
 
 namespace deformlab {
 
+/// UTF-8's byte order mark, which some programs put before a text.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// Consecutive bytes of a file.
 struct ByteRange {
   std::size_t at = 0, size = 0;
@@ -21,12 +24,13 @@ struct Token {
 };
 
 /// Walks over the lines of a text file that contain more than blanks and a comment, which begins
-/// with # and ends with the line.
+/// with # and ends with the line. A line ends with LF, CR LF, or CR alone. A UTF-8 byte order mark
+/// at the begin of the file is skipped.
 class Lines {
  public:
-  /// With `continued`, a backslash before the end of a line joins the line to the next one.
-  explicit Lines(std::string_view bytes, bool continued = false)
-      : bytes_(bytes), continued_(continued) {}
+  /// With `continued`, a backslash before the end of a line joins the line to the next one. A
+  /// comment is never continued.
+  explicit Lines(std::string_view bytes, bool continued = false);
 
   /// Goes to the next such line; returns false at the end of the file.
   bool next();
@@ -38,11 +42,14 @@ class Lines {
 
  private:
   void find_end();
+  std::size_t find_break(std::size_t at);
+  bool is_joined(std::string_view line) const;
   void split();
 
   std::string_view bytes_;
   bool continued_;
   std::size_t begin_ = 0, end_ = 0;
+  std::size_t line_feed_ = 0, return_ = 0;  // the next ones at or after the line read last
   int number_ = 0, next_number_ = 1;
   std::vector<Token> tokens_;
 };

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 #include "geometry/shape/formats/numbers.h"
+#include "geometry/shape/formats/turning.h"
 
 namespace deformlab {
 namespace {
@@ -50,25 +52,60 @@ std::string rewrite(const fs::path& source, const Shape& shape) {
         "a shape of {} vertices does not come from '{}', which has {}; write it without a source",
         shape.V.cols(), source.string(), file.shape.V.cols()));
   }
-  return formats::substitute(bytes, file.layout, shape.V, shape.N);
+  return formats::substitute(bytes, file.layout, shape.V, shape.N,
+                             formats::turn(bytes, file, shape.V));
+}
+
+/// The shape with the vertices of its source that have no position, which become NaN.
+Shape with_missing(const Shape& shape, const fs::path& source) {
+  const std::vector<int> missing =
+      format_of(source, "read").read(read_file(source), source.string()).missing;
+  Shape whole{Eigen::Matrix3Xd(3, shape.V.cols() + std::ssize(missing)), Eigen::Matrix3Xd(3, 0),
+              shape.faces};
+  whole.V.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (shape.N.cols() > 0) whole.N = whole.V;
+  std::vector<int> place;
+  for (int i = 0; i < whole.V.cols(); ++i) {
+    if (std::ranges::binary_search(missing, i)) continue;
+    const auto from = std::ssize(place);
+    if (from == shape.V.cols()) break;
+    whole.V.col(i) = shape.V.col(from);
+    if (shape.N.cols() > 0) whole.N.col(i) = shape.N.col(from);
+    place.push_back(i);
+  }
+  for (auto& face : whole.faces) {
+    for (int& vertex : face) vertex = place[static_cast<std::size_t>(vertex)];
+  }
+  return whole;
 }
 
 }  // namespace
 
-Shape read_shape(const fs::path& path) {
+Shape read_shape(const fs::path& path, std::vector<std::string>* notes) {
   const Format& format = format_of(path, "read");
-  Shape shape = format.read(read_file(path), path.string()).shape;
-  check(shape, path.string());
-  return shape;
+  formats::ShapeFile file = format.read(read_file(path), path.string());
+  check(file.shape, path.string());
+  if (notes) {
+    for (const std::string& note : file.notes) {
+      notes->push_back(fmt::format("'{}': {}", path.string(), note));
+    }
+  }
+  return std::move(file.shape);
 }
 
 void check_extension(const fs::path& out) { format_of(out, "write"); }
 
+bool is_shape_file(const fs::path& path) {
+  return std::ranges::find(kFormats, extension_of(path), &Format::extension) != kFormats.end();
+}
+
 void write_shape(const fs::path& out, const Shape& shape, const fs::path& source) {
   const Format& format = format_of(out, "write");
   check(shape, out.string());
-  const bool copies = !source.empty() && &format_of(source, "read") == &format;
-  write_file(out, copies ? rewrite(source, shape) : format.print(shape));
+  if (source.empty()) return write_file(out, format.print(shape));
+  if (&format_of(source, "read") == &format) return write_file(out, rewrite(source, shape));
+  const bool has_facets_only = format.extension == ".stl";
+  write_file(out, format.print(has_facets_only ? shape : with_missing(shape, source)));
 }
 
 }  // namespace deformlab

@@ -1,5 +1,7 @@
 #include "experiments/subjects/animation/frame_source.h"
 
+#include <glog/logging.h>
+
 #include "experiments/scenes/gallop.h"
 #include "experiments/subjects/animation/animation_options.h"
 #include "experiments/subjects/animation/frame_order.h"
@@ -31,6 +33,9 @@ FrameFiles::FrameFiles(const std::string& pattern, const std::string& name)
 Shape FrameFiles::read(int frame) const { return read_shape(pattern_.path(frame)); }
 
 void FrameFiles::check(Fingerprint& fingerprint) const {
+  std::vector<std::string> notes;  // of the first frame, which the others resemble
+  read_shape(pattern_.path(range_.first), &notes);
+  for (const std::string& note : notes) LOG(WARNING) << note;
   FrameOrder order;
   ProgressLine progress("animate: checked frame");
   for (int frame = range_.first; frame <= range_.last; ++frame) {

@@ -23,6 +23,14 @@ namespace {
 
 constexpr const char* kFlag = "frames";
 
+void check_frames_format(const std::filesystem::path& pattern) {
+  if (is_shape_file(pattern)) return;
+  throw InputError(fmt::format(
+      "cannot read the frames '{}': the format '{}' is not known; frames are read from .off, .obj, "
+      ".ply, .stl and .xyz",
+      pattern.string(), pattern.extension().string()));
+}
+
 class MeshSubject : public Subject {
  public:
   MeshSubject(const RunOptions& options, const RunContext& context)
@@ -40,6 +48,7 @@ class MeshSubject : public Subject {
     const AnimationOptions& o = options_.animation;
     if (context_.writes()) {
       out_.emplace(context_.command->out, "--out");
+      check_frames_format(o.file);
       check_extension(out_->path(0));
     }
     if (o.file.empty()) {

@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
+#include "geometry/core/text.h"
 #include "geometry/shape/shape.h"
 
 namespace deformlab {
 namespace {
 
 constexpr const char* kColumns[] = {"frame", "id", "x", "y", "z"};
-constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -22,12 +23,30 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
-// Splits a line into fields, which are views of the line without the blanks around them.
+// The comma that ends the field at `begin`. A field in quotes may contain commas; two quotes in it
+// stand for one, which changes nothing here.
+std::size_t find_comma(std::string_view line, std::size_t begin) {
+  const std::size_t text = line.find_first_not_of(" \t", begin);
+  if (text == std::string_view::npos || line[text] != '"') return line.find(',', begin);
+  bool is_quoted = false;
+  for (std::size_t at = text; at < line.size(); ++at) {
+    if (line[at] == '"') is_quoted = !is_quoted;
+    if (line[at] == ',' && !is_quoted) return at;
+  }
+  return std::string_view::npos;
+}
+
+std::string_view unquoted(std::string_view field) {
+  const bool is_quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
+  return is_quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+}
+
+// Splits a line into fields, which are views of the line without the blanks and quotes around them.
 void split(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   for (std::size_t begin = 0;;) {
-    const std::size_t comma = line.find(',', begin);
-    fields.push_back(trimmed(line.substr(begin, comma - begin)));
+    const std::size_t comma = find_comma(line, begin);
+    fields.push_back(unquoted(trimmed(line.substr(begin, comma - begin))));
     if (comma == std::string_view::npos) return;
     begin = comma + 1;
   }
@@ -54,13 +73,16 @@ void ParticleReader::reject(const std::string& why) const {
 }
 
 bool ParticleReader::read_line() {
-  if (!std::getline(file_, line_)) return false;
+  std::streambuf& text = *file_.rdbuf();
+  line_.clear();
+  ending_.clear();
+  constexpr int kEnd = std::char_traits<char>::eof();
+  int c = text.sbumpc();
+  for (; c != kEnd && c != '\n' && c != '\r'; c = text.sbumpc()) line_ += static_cast<char>(c);
+  if (c == kEnd && line_.empty()) return false;
   ++line_number_;
-  ending_ = file_.eof() ? "" : "\n";
-  if (line_.ends_with('\r')) {
-    line_.pop_back();
-    ending_ = "\r" + ending_;
-  }
+  if (c != kEnd) ending_ = static_cast<char>(c);
+  if (c == '\r' && text.sgetc() == '\n') ending_ += static_cast<char>(text.sbumpc());
   return true;
 }
 
@@ -73,7 +95,7 @@ void ParticleReader::read_header() {
   split(line_, fields_);
   header_size_ = fields_.size();
   for (int c = 0; c < 5; ++c) {
-    const auto found = std::ranges::find(fields_, kColumns[c]);
+    const auto found = std::ranges::find(fields_, kColumns[c], lower_case);
     if (found == fields_.end()) {
       line_number_ = std::max<std::int64_t>(line_number_, 1);
       reject(fmt::format("the column '{}' is missing; the header is: frame,id,x,y,z", kColumns[c]));
@@ -84,22 +106,19 @@ void ParticleReader::read_header() {
 
 double ParticleReader::coordinate(int column) const {
   const std::string_view text = field(column);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (!whole || !(std::abs(value) <= kMostLength)) {
+  const std::optional<double> value = to_number(text);
+  if (!value || !(std::abs(*value) <= kMostLength)) {
     reject(fmt::format("{} is {}; it has to be a finite number", kColumns[column],
                        quote(std::string(text))));
   }
-  return value;
+  return *value;
 }
 
 template <class Integer>
 Integer ParticleReader::integer(int column) const {
   const std::string_view text = field(column);
-  Integer value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size()) return value;
+  const std::optional<std::int64_t> value = to_integer(text);
+  if (value && std::in_range<Integer>(*value)) return static_cast<Integer>(*value);
   reject(fmt::format("{} is {}; it has to be a whole number", kColumns[column],
                      quote(std::string(text))));
 }

@@ -21,7 +21,9 @@ struct ParticleRow {
 };
 
 /// Reads a particle cache row by row. It is a text whose header names the columns frame, id, x, y
-/// and z in any order, and may name others. Blank lines are skipped.
+/// and z in any order and in small or capital letters, and may name others. Fields may be in
+/// quotes, and numbers may begin with a plus. Lines end with LF, CR LF or CR, and blank lines are
+/// skipped.
 class ParticleReader {
  public:
   /// Throws InputError if the file cannot be read or its header lacks a column.

@@ -9,6 +9,7 @@
 #include "experiments/subjects/shape/cuts.h"
 #include "experiments/subjects/shape/paint.h"
 #include "experiments/subjects/shape/pictures.h"
+#include "geometry/core/error.h"
 #include "geometry/shape/shape_io.h"
 
 namespace deformlab {
@@ -24,6 +25,14 @@ std::vector<int> nearest_vertices(const Shape& shape, const Eigen::Matrix3Xd& po
   return result;
 }
 
+void check_input(const std::filesystem::path& input) {
+  if (is_shape_file(input)) return;
+  throw InputError(fmt::format(
+      "cannot read '{}': the format '{}' is not known; shapes are read from .off, .obj, .ply, .stl "
+      "and .xyz, drawings from .png, .svg and .txt; convert it to one of them",
+      input.string(), input.extension().string()));
+}
+
 class ShapeSubject : public Subject {
  public:
   ShapeSubject(const RunOptions& options, const RunContext& context)
@@ -34,7 +43,9 @@ class ShapeSubject : public Subject {
     check_cuts(options_.cut);
     check_shape_paint(options_.paint);
     read_probes(options_.measure.probes, 3);
-    if (context_.writes()) check_extension(context_.command->out);
+    if (!context_.writes()) return;
+    check_input(context_.command->input);
+    check_extension(context_.command->out);
   }
 
   void read() override {

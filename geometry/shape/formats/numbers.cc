@@ -45,19 +45,13 @@ void append_shortest(std::string& to, Real value) {
   to.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
 }
 
-/// The text that takes the place of a part of the source.
-struct Edit {
-  ByteRange range;
-  std::string text;
-};
-
 /// Adds the edits that change the file's numbers to `values`. Normals were normalised when they
 /// were read, so that they are compared, and keep their digits, after this.
 void replace(std::vector<Edit>& edits, const Numbers& numbers, Encoding encoding,
              const Eigen::Matrix3Xd& values, bool normalised) {
   for (Eigen::Index i = 0; i < values.cols(); ++i) {
     Eigen::Vector3d old = Eigen::Vector3d::Map(&numbers.values[static_cast<std::size_t>(3 * i)]);
-    if (normalised) old.stableNormalize();
+    if (normalised) normalise(old);
     if (old == values.col(i)) continue;
     for (Eigen::Index row = 0; row < 3; ++row) {
       const Number& number = numbers.sources[static_cast<std::size_t>(3 * i + row)];
@@ -68,33 +62,44 @@ void replace(std::vector<Edit>& edits, const Numbers& numbers, Encoding encoding
   }
 }
 
+/// Without its normal, v/vt/vn becomes v/vt, and v//vn becomes v.
+void remove_corner_normals(std::vector<Edit>& edits, std::string_view bytes,
+                           const std::vector<CornerNormal>& corners) {
+  for (const CornerNormal& corner : corners) {
+    const std::size_t slashes = bytes[corner.at - 2] == '/' ? 2 : 1;
+    edits.push_back({{corner.at - slashes, corner.digits + slashes}, ""});
+  }
+}
+
 }  // namespace
+
+bool is_allowed(double value, Allowed allowed) {
+  return std::isfinite(value) || allowed == Allowed::kAny ||
+         (allowed == Allowed::kMissing && std::isnan(value));
+}
+
+void normalise(Eigen::Ref<Eigen::Vector3d> normal) {
+  if (!normal.allFinite()) normal.setZero();
+  normal.stableNormalize();
+}
 
 void Location::reject(const std::string& what) const {
   const std::string at_line = line > 0 ? fmt::format(", line {}", line) : "";
   cannot_read(file, fmt::format("{} {} (counted from 0){}: {}", kind, index, at_line, what));
 }
 
-void append(Numbers& to, std::span<const Token> words, const Location& where, bool is_single) {
+void append(Numbers& to, std::span<const Token> words, const Location& where, Allowed allowed,
+            bool is_single) {
   for (const Token& word : words) {
     const std::optional<double> value =
         is_single ? std::optional<double>(to_float(word.text)) : to_number(word.text);
     if (!value) where.reject(quoted_ascii(word.text) + " is not a number");
-    if (!std::isfinite(*value)) {
+    if (!is_allowed(*value, allowed)) {
       where.reject(quoted_ascii(word.text) + " is not finite" + (is_single ? " as float32" : ""));
     }
     to.values.push_back(*value);
     to.sources.push_back({{word.at, word.text.size()}, is_single});
   }
-}
-
-void take_points(ShapeFile& file) {
-  const std::vector<double>& positions = file.layout.positions.values;
-  const std::vector<double>& normals = file.layout.normals.values;
-  file.shape.V = Eigen::Matrix3Xd::Map(positions.data(), 3, std::ssize(positions) / 3);
-  if (normals.size() != positions.size()) return;
-  file.shape.N = Eigen::Matrix3Xd::Map(normals.data(), 3, std::ssize(normals) / 3);
-  for (Eigen::Index i = 0; i < file.shape.N.cols(); ++i) file.shape.N.col(i).stableNormalize();
 }
 
 double binary_number(std::string_view bytes, Encoding encoding) {
@@ -128,15 +133,15 @@ void append_uint32(std::string& to, std::size_t value) {
 }
 
 std::string substitute(std::string_view bytes, const Layout& layout, const Eigen::Matrix3Xd& V,
-                       const Eigen::Matrix3Xd& N) {
-  std::vector<Edit> edits;
+                       const Eigen::Matrix3Xd& N, std::vector<Edit> edits) {
   replace(edits, layout.positions, layout.encoding, V, false);
   if (N.cols() > 0 && !layout.normals.values.empty()) {
     replace(edits, layout.normals, layout.encoding, N, true);
   } else {
     for (const ByteRange& range : layout.normal_traces) edits.push_back({range, ""});
+    if (layout.shared_normals.values.empty()) remove_corner_normals(edits, bytes, layout.corners);
   }
-  std::ranges::sort(edits, {}, [](const Edit& edit) { return edit.range.at; });
+  std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.range.at; });
   std::string result;
   std::size_t at = 0;
   for (const Edit& edit : edits) {

@@ -2,6 +2,7 @@
 
 // Reading and printing the numbers of shape files.
 
+#include <map>
 #include <span>
 
 #include "geometry/shape/formats/format.h"
@@ -19,14 +20,35 @@ struct Location {
   [[noreturn]] void reject(const std::string& what) const;
 };
 
-/// Appends words that must be finite numbers. Throws InputError where one is not; then the message
+/// Which numbers a place of a file may have.
+enum class Allowed {
+  kFinite,
+  kMissing,  ///< also NaN, which says that a point has no position
+  kAny       ///< also NaN and infinity, where nothing depends on the number
+};
+
+bool is_allowed(double value, Allowed allowed);
+
+/// A normal that is not finite becomes zero, as that of a vertex without a face.
+void normalise(Eigen::Ref<Eigen::Vector3d> normal);
+
+/// Appends words that must be allowed numbers. Throws InputError where one is not; then the message
 /// names `where`. With `is_single`, the numbers are rounded to float32.
-void append(Numbers& to, std::span<const Token> words, const Location& where,
+void append(Numbers& to, std::span<const Token> words, const Location& where, Allowed allowed,
             bool is_single = false);
 
 /// Takes V from the layout's positions, and N from its normals where there is one for each vertex.
-/// N is normalised.
-void take_points(ShapeFile& file);
+/// N is normalised; a normal that is not finite becomes the zero vector. Vertices without a
+/// position go to `missing`. Throws InputError where a face uses one of them, or where no vertex
+/// has a position.
+void take_points(ShapeFile& file, const std::string& name);
+
+/// What a file contains that nothing reads, by its name, and how often.
+using Leftovers = std::map<std::string, std::size_t, std::less<>>;
+
+/// Adds a note that names all leftovers, if there are any: `what` (NAME, NAME 3 times) `why`.
+void note_leftovers(std::vector<std::string>& notes, std::string_view what,
+                    const Leftovers& leftovers, std::string_view why);
 
 /// A binary number of four (float32) or eight bytes (float64).
 double binary_number(std::string_view bytes, Encoding encoding);
@@ -42,10 +64,16 @@ void append_number(std::string& to, double value, bool is_single, Encoding encod
 /// Appends the four bytes of an unsigned integer, the lowest byte first.
 void append_uint32(std::string& to, std::size_t value);
 
+/// The text that takes the place of a part of a file.
+struct Edit {
+  ByteRange range;
+  std::string text;
+};
+
 /// A copy of a file with the positions V and the normals N where the layout has normals. Numbers
 /// that do not change keep their digits. Where N is 3×0, the normals are removed. V and N have a
-/// column for every three numbers of the layout.
+/// column for every three numbers of the layout. `edits` are made as well.
 std::string substitute(std::string_view bytes, const Layout& layout, const Eigen::Matrix3Xd& V,
-                       const Eigen::Matrix3Xd& N);
+                       const Eigen::Matrix3Xd& N, std::vector<Edit> edits = {});
 
 }  // namespace deformlab::formats

@@ -60,9 +60,9 @@ void read_vertex(const std::vector<Token>& tokens, bool has_normals, Layout& lay
     where.reject(
         fmt::format("it has {} numbers instead of {} or more", words.size(), has_normals ? 6 : 3));
   }
-  append(layout.positions, words.first(3), where);
+  append(layout.positions, words.first(3), where, Allowed::kMissing);
   if (!has_normals) return;
-  append(layout.normals, words.subspan(3, 3), where);
+  append(layout.normals, words.subspan(3, 3), where, Allowed::kAny);
   const std::size_t end = words.size() > 6 ? words[6].at : words[5].at + words[5].text.size();
   layout.normal_traces.push_back({words[3].at, end - words[3].at});
 }
@@ -108,7 +108,12 @@ ShapeFile read_off(std::string_view bytes, const std::string& name) {
     cannot_read(name, fmt::format("it announces {} vertices and {} faces, but ends after {} and {}",
                                   header.vertices, header.faces, vertices, faces.size()));
   }
-  take_points(file);
+  std::size_t further = 0;
+  while (lines.next()) ++further;
+  if (further > 0) {
+    file.notes.push_back(fmt::format("{} lines after the last face are kept as they are", further));
+  }
+  take_points(file, name);
   return file;
 }
 

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 #include "geometry/core/files.h"
@@ -37,74 +35,83 @@ class Reader {
       kind_ = element.is_vertex() ? "vertex"
               : element.is_face() ? "face"
                                   : "row of " + quoted_ascii(element.name);
+      slots_.assign(element.properties.size(), nullptr);
       if (element.is_vertex()) find_columns(element);
       if (element.properties.empty()) continue;
       for (row_ = 0; row_ < element.rows; ++row_) read_row(element);
     }
-    take_points(file_);
+    file_.notes = notes_of(header_);
+    take_points(file_, name_);
     return std::move(file_);
   }
 
  private:
-  using Properties = std::array<const PlyProperty*, 3>;
+  /// Properties that make a vector or a quaternion together.
+  struct Columns {
+    Numbers* to;
+    Allowed allowed;
+    std::vector<Number> row;  ///< of the vertex that is being read
+    bool is_normal = false;
+  };
 
   Location where() const { return {name_, kind_, row_}; }
 
   void find_columns(const PlyElement& element) {
-    position_ = find(element, {"x", "y", "z"});
-    normal_ = find(element, {"nx", "ny", "nz"});
-    has_normals_ = std::ranges::all_of(normal_, [](const PlyProperty* p) { return p != nullptr; });
-    if (!has_normals_) return;
-    for (const PlyProperty* property : normal_) {
-      file_.layout.normal_traces.push_back(property->line);
+    const std::vector<PlyVector> vectors = turning_vectors(element);
+    Layout& layout = file_.layout;
+    for (const PlyVector& one : vectors) layout.attributes.push_back({one.size(), {}});
+    columns_.reserve(vectors.size() + 2);  // slots point into it
+    add_columns(element, {"x", "y", "z"}, layout.positions, Allowed::kMissing);
+    if (has_all(element, {"nx", "ny", "nz"})) {
+      add_columns(element, {"nx", "ny", "nz"}, layout.normals, Allowed::kAny);
+      columns_.back().is_normal = true;
+    }
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+      add_columns(element, vectors[i], layout.attributes[i].numbers, Allowed::kAny);
     }
   }
 
-  static Properties find(const PlyElement& element, const std::array<const char*, 3>& names) {
-    Properties found{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto property = std::ranges::find_if(element.properties, [&](const PlyProperty& p) {
-        return p.type.kind == PlyType::Kind::kReal && !p.count_type && p.name == names[axis];
-      });
-      if (property != element.properties.end()) found[axis] = &*property;
+  void add_columns(const PlyElement& element, const PlyVector& names, Numbers& to,
+                   Allowed allowed) {
+    columns_.push_back({&to, allowed, std::vector<Number>(names.size())});
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto property = std::ranges::find(element.properties, names[k], &PlyProperty::name);
+      slots_[static_cast<std::size_t>(property - element.properties.begin())] =
+          &columns_.back().row[k];
+      if (names[0] == "nx") file_.layout.normal_traces.push_back(property->line);
     }
-    return found;
   }
 
   void read_row(const PlyElement& element) {
-    std::array<Number, 3> position, normal;
-    for (const PlyProperty& property : element.properties) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
       if (property.count_type) {
         read_list(element, property);
         continue;
       }
       const Number number = next(property.type);
-      if (!element.is_vertex()) continue;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (position_[axis] == &property) position[axis] = number;
-        if (normal_[axis] == &property) normal[axis] = number;
+      if (slots_[i]) *slots_[i] = number;
+    }
+    if (element.is_vertex()) add_vertex();
+  }
+
+  void add_vertex() {
+    for (const Columns& columns : columns_) {
+      for (const Number& number : columns.row) {
+        add_number(*columns.to, number, columns.allowed);
+        if (columns.is_normal) file_.layout.normal_traces.push_back(with_blanks(number.bytes));
       }
     }
-    if (!element.is_vertex()) return;
-    for (const Number& number : position) add_number(file_.layout.positions, number);
-    if (has_normals_) add_normal(normal);
   }
 
-  void add_normal(const std::array<Number, 3>& normal) {
-    for (const Number& number : normal) {
-      add_number(file_.layout.normals, number);
-      file_.layout.normal_traces.push_back(with_blanks(number.bytes));
-    }
-  }
-
-  void add_number(Numbers& to, const Number& number) const {
+  void add_number(Numbers& to, const Number& number, Allowed allowed) const {
     const std::string_view source = text_of(number);
     if (header_.encoding == Encoding::kText) {
       const Token word{number.bytes.at, source};
-      return append(to, {&word, 1}, where(), number.is_single);
+      return append(to, {&word, 1}, where(), allowed, number.is_single);
     }
     const double value = binary_number(source, header_.encoding);
-    if (!std::isfinite(value)) where().reject("a position or normal is NaN or infinite");
+    if (!is_allowed(value, allowed)) where().reject("a position is infinite");
     to.values.push_back(value);
     to.sources.push_back(number);
   }
@@ -172,8 +179,8 @@ class Reader {
   const PlyElement* element_ = nullptr;  ///< the element of the row that is being read
   std::string kind_;                     ///< what messages call this row
   std::uint64_t row_ = 0;                ///< the index of this row
-  Properties position_{}, normal_{};     ///< the properties of vertices for x, y, z
-  bool has_normals_ = false;
+  std::vector<Columns> columns_;         ///< what is read of a vertex
+  std::vector<Number*> slots_;           ///< where each property of the element goes, or null
   ShapeFile file_;
 };
 

@@ -94,13 +94,25 @@ void check_elements(const PlyHeader& header, const std::string& name) {
         cannot_read(name,
                     "its faces need a list of integers called vertex_indices or vertex_index");
       }
-    } else if (element.name == "tristrips" && element.rows > 0) {
-      cannot_read(name, "it holds triangle strips; write it with faces instead");
     }
   }
   if (vertex_elements != 1 || face_elements > 1) {
     cannot_read(name, "it needs one element called vertex and at most one called face");
   }
+}
+
+bool is_known(std::string_view keyword) {
+  return keyword == "format" || keyword == "element" || keyword == "property" ||
+         keyword == "comment" || keyword == "obj_info" || keyword == "end_header";
+}
+
+/// The line that ends the header ends as the first one does. Where that is CR alone, an LF behind
+/// it is a part of the body.
+std::size_t body_begin(std::string_view bytes, ByteRange last_line) {
+  const std::size_t first = bytes.find_first_of("\r\n");
+  const bool cr_alone = bytes[first] == '\r' && bytes.substr(first + 1, 1) != "\n";
+  const std::size_t end = last_line.at + last_line.size;
+  return cr_alone && bytes.substr(end - 2, 2) == "\r\n" ? end - 1 : end;
 }
 
 }  // namespace
@@ -120,10 +132,11 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
     }
     if (keyword == "element") header.elements.push_back(read_element(lines, name));
     if (keyword == "property") read_property(lines, header, name);
+    if (!is_known(keyword)) ++header.unknown[std::string(keyword)];
     if (keyword != "end_header") continue;
     if (!has_format) cannot_read(name, "its header names no format");
     check_elements(header, name);
-    header.end = lines.range().at + lines.range().size;
+    header.end = body_begin(bytes, lines.range());
     return header;
   }
   cannot_read(name, "its header has no end_header");

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "geometry/shape/formats/format.h"
+#include "geometry/shape/formats/numbers.h"
 
 namespace deformlab::formats {
 
@@ -38,7 +38,21 @@ struct PlyHeader {
   Encoding encoding = Encoding::kText;
   std::vector<PlyElement> elements;
   std::size_t end = 0;  ///< where the body begins
+  Leftovers unknown;    ///< the first words of lines that PLY does not have
 };
+
+/// The names of properties that make a vector (three) or a quaternion (four, w first) together.
+using PlyVector = std::vector<std::string>;
+
+/// Whether the vertices have all these properties as float or double, so that they can turn.
+bool has_all(const PlyElement& element, const PlyVector& names);
+
+/// What is known to turn with the vertices, besides their normals: velocities, tangents, the
+/// rotations of Gaussian splats.
+std::vector<PlyVector> turning_vectors(const PlyElement& element);
+
+/// What the user should know about elements and properties that stay as they are.
+std::vector<std::string> notes_of(const PlyHeader& header);
 
 /// Throws InputError where the header is incomplete, has unknown types, or lacks what a shape
 /// needs: vertices with x, y, z as float or double, and for faces, if there are any, a list of

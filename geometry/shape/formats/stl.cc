@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -56,10 +57,13 @@ Layout read_binary(std::string_view bytes, const std::string& name) {
 }
 
 class TextReader {
+  static constexpr std::array<std::string_view, 5> kOthers = {"solid", "endsolid", "outer",
+                                                              "endloop", "color"};
+
  public:
   TextReader(std::string_view bytes, const std::string& name) : lines_(bytes), name_(name) {}
 
-  Layout run() {
+  Layout run(std::vector<std::string>& notes) {
     while (lines_.next()) read_line();
     if (keyword_ != "endsolid") {
       cannot_read(name_, "it does not end with endsolid: a part of it is missing");
@@ -67,6 +71,7 @@ class TextReader {
     if (layout_.normals.values.size() != 3 * facets_) {
       cannot_read(name_, "its last facet has no endfacet");
     }
+    note_leftovers(notes, "lines of unknown kinds", unknown_, "are kept as they are");
     return std::move(layout_);
   }
 
@@ -80,9 +85,11 @@ class TextReader {
       append_normal(words.subspan(2, 3), where);
     } else if (keyword_ == "vertex") {
       if (words.size() < 4) where.reject("a vertex needs 3 numbers");
-      append(layout_.positions, words.subspan(1, 3), where);
+      append(layout_.positions, words.subspan(1, 3), where, Allowed::kFinite);
     } else if (keyword_ == "endfacet") {
       ++facets_;
+    } else if (std::ranges::find(kOthers, keyword_) == kOthers.end()) {
+      ++unknown_[keyword_];
     }
     check_order(where);
   }
@@ -110,6 +117,7 @@ class TextReader {
   Layout layout_;
   std::string keyword_;     ///< of the line that was read last, in lower case
   std::size_t facets_ = 0;  ///< that have ended
+  Leftovers unknown_;       ///< the first words of lines that STL does not have
 };
 
 using Point = std::array<double, 3>;
@@ -146,6 +154,17 @@ Shape merged(const std::vector<double>& coordinates) {
   return shape;
 }
 
+/// Whether the file is text. The header of a binary file may say "solid" as well. Such a file is
+/// binary where it has the size of one, or a byte 0, which no text has.
+bool is_text(std::string_view bytes) {
+  const bool exact =
+      bytes.size() >= kBodyAt && bytes.size() == kBodyAt + kFacetSize * facet_count(bytes);
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  const std::size_t begin = find_blank(bytes, 0, false);
+  return !exact && lower_case(bytes.substr(begin, 5)) == "solid" &&
+         bytes.find('\0') == std::string_view::npos;
+}
+
 /// The triangles of a shape as STL states them.
 struct Facets {
   Eigen::Matrix3Xd corners;  ///< 3×3#T
@@ -168,16 +187,17 @@ Facets facets_of(const Shape& shape) {
 }  // namespace
 
 ShapeFile read_stl(std::string_view bytes, const std::string& name) {
-  const std::size_t begin = find_blank(bytes, 0, false);
-  const bool says_solid = lower_case(bytes.substr(begin, 5)) == "solid";
-  const bool exact =
-      bytes.size() >= kBodyAt && bytes.size() == kBodyAt + kFacetSize * facet_count(bytes);
   ShapeFile file;
-  if (says_solid && !exact) {
-    file.layout = TextReader(bytes, name).run();
+  if (is_text(bytes)) {
+    file.layout = TextReader(bytes, name).run(file.notes);
   } else {
     if (bytes.size() < kBodyAt) cannot_read(name, "it is too short for an STL file");
     file.layout = read_binary(bytes, name);
+    const std::size_t end = kBodyAt + kFacetSize * facet_count(bytes);
+    if (end < bytes.size()) {
+      file.notes.push_back(
+          fmt::format("{} bytes after the last facet are kept as they are", bytes.size() - end));
+    }
   }
   file.shape = merged(file.layout.positions.values);
   return file;

@@ -9,14 +9,18 @@
 namespace deformlab::formats {
 namespace {
 
-/// Distinguishes normals from what else columns 4 to 6 may contain: colours, intensities.
+/// Distinguishes normals from what else columns 4 to 6 may contain: colours, intensities. Points
+/// without a position, and others as well, may have the normal NaN.
 bool are_normals(const std::vector<double>& values) {
   constexpr double kTolerance = 0.01;
+  bool found = false;
   for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
     const double length = std::hypot(values[i], values[i + 1], values[i + 2]);
+    if (std::isnan(length)) continue;
     if (!(std::abs(length - 1) <= kTolerance)) return false;
+    found = true;
   }
-  return !values.empty();
+  return found;
 }
 
 void read_point(const std::vector<Token>& tokens, std::size_t columns, Layout& layout,
@@ -26,11 +30,11 @@ void read_point(const std::vector<Token>& tokens, std::size_t columns, Layout& l
     where.reject(fmt::format("it has {} numbers; there must be {}", words.size(),
                              columns < 3 ? "3 or more" : fmt::format("{} as before", columns)));
   }
-  append(layout.positions, words.first(3), where);
+  append(layout.positions, words.first(3), where, Allowed::kMissing);
   if (columns < 6) return;
   for (const Token& word : words.subspan(3, 3)) {
-    constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-    layout.normals.values.push_back(to_number(word.text).value_or(kNotANumber));
+    constexpr double kNoNormal = std::numeric_limits<double>::infinity();
+    layout.normals.values.push_back(to_number(word.text).value_or(kNoNormal));
     layout.normals.sources.push_back({{word.at, word.text.size()}});
   }
   const std::size_t end = columns > 6 ? words[6].at : words[5].at + words[5].text.size();
@@ -60,7 +64,7 @@ ShapeFile read_xyz(std::string_view bytes, const std::string& name) {
     file.layout.normals = {};
     file.layout.normal_traces.clear();
   }
-  take_points(file);
+  take_points(file, name);
   return file;
 }
 
