@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/bitmap/region_pixels.h"
 #include "drawing/paint.h"
 #include "drawing/vector/layers.h"
+#include "drawing/vector/normalized_svg.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -46,13 +48,25 @@ Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& d
   const Eigen::Vector2d size = (page.sizes() * resolution).array().round().max(1);
   const std::string problem = size_problem(size.x(), size.y());
   if (!problem.empty()) throw InputError(fmt::format("cannot draw a page of {}", problem));
-  if (!texture_ && depth.size() == 0) return rasterized(paths_(V), page, resolution);
+  if (!texture_ && drawing_.svg.empty() && depth.size() == 0)
+    return rasterized(paths_(V), page, resolution);
   const Eigen::Matrix2Xd at = (V.colwise() - page.min()) * resolution;
   const PixelBox box{0, 0, static_cast<int>(size.x()), static_cast<int>(size.y())};
   if (texture_) return texture_->draw(at, depth, box);
-  return TextureMap(rasterized(drawing_.paths, drawing_.page, resolution),
-                    in_pixels(rest_, drawing_.page, resolution))
+  return TextureMap(at_rest(resolution), in_pixels(rest_, drawing_.page, resolution))
       .draw(at, depth, box);
+}
+
+Bitmap BoundDrawing::at_rest(double resolution) const {
+  if (drawing_.svg.empty()) return rasterized(drawing_.paths, drawing_.page, resolution);
+  Bitmap bitmap = svg_picture(drawing_.svg, drawing_.file, resolution);
+  if (drawing_.shows_more) {
+    Region region = drawing_.region;
+    region.outline *= resolution;
+    for (Eigen::Matrix2Xd& hole : region.holes) hole *= resolution;
+    clear_outside(region, TraceOptions().threshold, bitmap);
+  }
+  return bitmap;
 }
 
 Page BoundDrawing::page_for(const Eigen::Matrix2Xd& V, double step) const {

@@ -34,6 +34,9 @@ class BoundDrawing {
   Page page_for(const Eigen::Matrix2Xd& V, double step) const;
 
  private:
+  /// The picture of the page at rest, for a drawing without a bitmap.
+  Bitmap at_rest(double resolution) const;
+
   Drawing drawing_;
   Triangulation rest_;
   BoundPaths paths_;

@@ -23,26 +23,33 @@ using Page = Eigen::AlignedBox2d;
 struct Drawing {
   std::filesystem::path file;  ///< the file that it was read from
   Page page;
-  std::optional<Bitmap> bitmap;       ///< the pixels of the page, if the file is a bitmap
-  std::vector<VectorPath> paths;      ///< in the order in which they are painted
-  Region region;                      ///< what the drawing covers; empty if there is a mesh
-  std::optional<Triangulation> mesh;  ///< the mesh, if the file is one
-  std::vector<std::string> notes;     ///< what the user should know, such as parts left out
+  std::optional<Bitmap> bitmap;  ///< the pixels of the page, if the file is a bitmap
+  std::string chunks;            ///< of a PNG, which its pictures keep (kept_chunks)
+  std::string svg;               ///< the bytes of an SVG whose picture is shown
+  bool shows_more = false;  ///< whether the SVG shows parts outside of the region that are left out
+  std::vector<VectorPath> paths;        ///< in the order in which they are painted
+  Region region;                        ///< what the drawing covers; empty if there is a mesh
+  std::optional<Triangulation> mesh;    ///< the mesh, if the file is one
+  std::vector<std::string> notes;       ///< what the user should know, such as parts left out
+  std::vector<std::string> not_curves;  ///< what an SVG of the paths does not show
 };
 
 /// How drawings are read.
 struct DrawingOptions {
-  TraceOptions trace;       ///< areas are in pixels of the drawing
-  double background = 0.1;  ///< tolerance for the colour of a plain background, 0 … 1
-  int outline = 1200;       ///< along the page's longer side, when curves are traced [pixel]
-  double piece = 0.02;      ///< longest piece of a curve, as a part of the page's diagonal
+  TraceOptions trace;  ///< areas are in pixels of the drawing
+  /// Tolerance for the colour of a plain background, 0 … 1, or `none`: an opaque picture is all
+  /// drawing.
+  std::string background = "0.1";
+  int outline = 1200;   ///< along the page's longer side, when curves are traced [pixel]
+  double piece = 0.02;  ///< longest piece of a curve, as a part of the page's diagonal
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     TraceOptions::fields(o.trace, visit);
-    visit.range("background", o.background, {.min = 0, .max = 1},
-                "How far the colours of a plain background may differ, where 1 is the distance of "
-                "black and white in one channel");
+    visit("background", o.background,
+          "How far the colours of a plain background may differ, from 0 to 1, where 1 is the "
+          "distance of black and white in one channel; or none, for an opaque picture that is all "
+          "drawing, such as a photograph");
     visit.range("outline", o.outline, {.min = 16, .max = 10'000},
                 "The resolution at which curves are traced, along the page's longer side [pixel]");
     visit.range("piece", o.piece, {.min = 1e-4, .max = 1},
@@ -51,8 +58,10 @@ struct DrawingOptions {
 };
 
 /// Reads a drawing. Its extension, in upper or lower case, says what it is:
-///   .png  A bitmap. Its alpha channel shows the drawing if a pixel is at least half transparent.
-///         Otherwise its background has to be plain (`remove_background`). Only the largest part is
+///   .png .jpg .jpeg .webp  A bitmap. Its alpha channel shows the drawing if a pixel is at least
+///   half transparent.
+///         Otherwise its background has to be plain (`remove_background`), or
+///         `background` is none and the drawing is the whole page. Only the largest part is
 ///         kept; others become transparent.
 ///   .svg  A vector drawing, which becomes cubic curves (`read_svg`). Paths outside of the largest
 ///         part are left out. Curves are cut into pieces, so that long ones can bend.

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "drawing/binding.h"
 #include "drawing/bitmap/background.h"
+#include "drawing/bitmap/read_image.h"
 #include "drawing/bitmap/region_pixels.h"
 #include "drawing/drawing.h"
 #include "drawing/paint.h"
 #include "drawing/vector/curves.h"
+#include "drawing/vector/normalized_svg.h"
 #include "drawing/vector/read_svg.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -31,19 +34,45 @@ void note_the_rest(const Silhouette& found, std::vector<std::string>& notes) {
   if (found.filled_holes > 0) notes.push_back(fmt::format("filled {} holes", found.filled_holes));
 }
 
+/// The tolerance for the colour of the background, or nothing for `none`.
+std::optional<double> background_tolerance(const DrawingOptions& options) {
+  if (options.background == "none") return std::nullopt;
+  const auto tolerance = to_number(options.background);
+  if (!tolerance || !(*tolerance >= 0 && *tolerance <= 1))
+    throw InputError(
+        fmt::format("drawing.background is '{}'; it must be a number from 0 to 1, or "
+                    "none",
+                    options.background));
+  return tolerance;
+}
+
+Region whole(const Bitmap& bitmap) {
+  Eigen::Matrix2Xd corners(2, 4);
+  corners << 0, bitmap.width, bitmap.width, 0, 0, 0, bitmap.height, bitmap.height;
+  return {corners, {}};
+}
+
 Drawing read_bitmap(const fs::path& path, const DrawingOptions& options) {
-  Bitmap bitmap = read_png(path);
+  const auto tolerance = background_tolerance(options);
+  auto [bitmap, chunks] = read_image(path);
   if (bitmap.width < 3 || bitmap.height < 3)
     cannot_read(path, fmt::format("it has {}×{} pixels; a silhouette needs at least 3×3",
                                   bitmap.width, bitmap.height));
   Drawing drawing;
-  if (!has_transparency(bitmap))
-    drawing.notes.push_back(remove_background(bitmap, options.background, path));
+  drawing.chunks = std::move(chunks);
+  drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(bitmap.width, bitmap.height)};
+  if (!has_transparency(bitmap)) {
+    if (!tolerance) {
+      drawing.region = checked(whole(bitmap), path.string());
+      drawing.bitmap = std::move(bitmap);
+      return drawing;
+    }
+    drawing.notes.push_back(remove_background(bitmap, *tolerance, path));
+  }
   const Silhouette found = trace(alpha_of(bitmap), options.trace, path.string());
   note_the_rest(found, drawing.notes);
   drawing.region = found.region;
   if (found.left_out > 0) clear_outside(drawing.region, options.trace.threshold, bitmap);
-  drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(bitmap.width, bitmap.height)};
   drawing.bitmap = std::move(bitmap);
   return drawing;
 }
@@ -101,21 +130,29 @@ void trace_paths(const fs::path& path, const DrawingOptions& options, Drawing& d
   const double resolution = options.outline / drawing.page.sizes().maxCoeff();
   TraceOptions in_pixels = options.trace;
   in_pixels.least_hole *= resolution * resolution;
-  const Bitmap painted = rasterized(drawing.paths, drawing.page, resolution);
+  const Bitmap painted = drawing.not_curves.empty()
+                             ? rasterized(drawing.paths, drawing.page, resolution)
+                             : svg_picture(drawing.svg, path, resolution);
   const Silhouette found = trace(alpha_of(painted), in_pixels, path.string());
   note_the_rest(found, drawing.notes);
-  if (found.left_out > 0) keep_paths(RegionMask(found.region, painted), resolution, drawing);
+  if (found.left_out > 0) {
+    keep_paths(RegionMask(found.region, painted), resolution, drawing);
+    drawing.shows_more = true;
+  }
   drawing.region = found.region;
   drawing.region.outline /= resolution;
   for (Eigen::Matrix2Xd& hole : drawing.region.holes) hole /= resolution;
 }
 
 Drawing read_vector(const fs::path& path, const DrawingOptions& options) {
-  VectorDrawing svg = read_svg(path);
   Drawing drawing;
+  drawing.svg = read_file(path);
+  VectorDrawing svg = read_svg(drawing.svg, path);
   drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(svg.width, svg.height)};
   drawing.notes = std::move(svg.notes);
+  drawing.not_curves = std::move(svg.not_curves);
   drawing.paths = std::move(svg.paths);
+  if (drawing.paths.empty() && drawing.not_curves.empty()) cannot_read(path, "it paints nothing");
   const double longest = options.piece * drawing.page.diagonal().norm();
   for (VectorPath& painted : drawing.paths) {
     cut_pieces(painted.outlines.curves, longest);
@@ -176,15 +213,16 @@ Drawing read_mesh(const fs::path& path) {
 
 Drawing read_by_extension(const fs::path& path, const DrawingOptions& options) {
   const std::string extension = extension_of(path);
-  if (extension == ".png") return read_bitmap(path, options);
+  if (is_image(extension)) return read_bitmap(path, options);
   if (extension == ".svg") return read_vector(path, options);
   if (extension == ".txt") return read_polygon(path, options);
   if (extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl")
     return read_mesh(path);
-  throw InputError(fmt::format(
-      "cannot read '{}' as a drawing: unknown extension '{}'; known: .png, .svg, .txt, .obj, .off, "
-      ".ply, .stl",
-      path.string(), extension));
+  const std::string how = extension == ".svgz" ? "unpack it, such as by gunzip, and name it .svg"
+                                               : "save it as one of those";
+  cannot_read(path, fmt::format("drawings of the format '{}' are not read; known: .png, .jpg, "
+                                ".jpeg, .webp, .svg, .txt, .obj, .off, .ply, .stl; {}",
+                                extension, how));
 }
 
 }  // namespace

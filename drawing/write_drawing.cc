@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "drawing/vector/curves.h"
+#include "drawing/vector/svg_names.h"
 #include "drawing/vector/write_svg.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -81,6 +82,9 @@ void check_output(const fs::path& out, const Drawing& drawing) {
   const std::string extension = extension_of(out);
   if (extension == ".svg" && drawing.bitmap)
     cannot_write(out, "a bitmap has no curves for an SVG; write .png");
+  if (extension == ".svg" && drawing.paths.empty())
+    cannot_write(out, fmt::format("the drawing has no curves ({}); write .png",
+                                  fmt::join(drawing.not_curves, "; ")));
   for (const char* known : {".png", ".svg", ".obj", ".off", ".ply", ".stl"})
     if (extension == known) return;
   cannot_write(out,
@@ -103,6 +107,7 @@ std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& 
   const double resolution = resolution_for(drawing.drawing(), options.resolution);
   const Page& own = drawing.drawing().page;
   const Page page = options.grow ? drawing.page_for(V, 1 / resolution) : own;
+  std::vector<std::string> notes = growth(own, page);
   if (extension == ".png") {
     const Eigen::Vector2d size = page.sizes() * resolution;
     const std::string problem = size_problem(std::max(1.0, size.x()), std::max(1.0, size.y()));
@@ -110,11 +115,16 @@ std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& 
       cannot_write(out, fmt::format("it would have {}; move the handles less far, lower "
                                     "output.resolution or set output.grow=false",
                                     problem));
-    write_png(drawing.picture(V, depth, page, resolution), out);
+    write_png(drawing.picture(V, depth, page, resolution), out, drawing.drawing().chunks,
+              resolution);
   } else {
-    write_svg(merged(drawing.paths(V, depth), page), page, out);
+    const std::string& svg = drawing.drawing().svg;
+    const SvgNames names = svg.empty() ? SvgNames() : SvgNames(svg, drawing.drawing().file);
+    write_svg(merged(drawing.paths(V, depth), page), names, page, out);
+    for (const std::string& note : drawing.drawing().not_curves)
+      notes.push_back(fmt::format("{}; PNG output shows it as the input does", note));
   }
-  return growth(own, page);
+  return notes;
 }
 
 }  // namespace deformlab

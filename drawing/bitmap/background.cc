@@ -125,7 +125,8 @@ std::string remove_background(Bitmap& bitmap, double tolerance, const std::files
   if (2 * static_cast<std::size_t>(alike) < pixels.size())
     cannot_read(name,
                 "every pixel is opaque and the background is not plain: fewer than half of the "
-                "border's pixels are of one colour; make the background transparent");
+                "border's pixels are of one colour; make the background "
+                "transparent, or set drawing.background=none to bend the picture as a rectangle");
   clear_from_border(bitmap, pixels, color, most);
   const Bitmap cleared = bitmap;
   for (int y = 0; y < bitmap.height; ++y)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "drawing/bitmap/png_chunks.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
@@ -68,7 +69,8 @@ Bitmap read_png(const std::filesystem::path& path) {
   return bitmap;
 }
 
-void write_png(const Bitmap& bitmap, const std::filesystem::path& path) {
+void write_png(const Bitmap& bitmap, const std::filesystem::path& path, const std::string& chunks,
+               double scale) {
   png_image image;
   const Png png = make_png(image);
   image.width = static_cast<png_uint_32>(bitmap.width);
@@ -80,7 +82,7 @@ void write_png(const Bitmap& bitmap, const std::filesystem::path& path) {
   if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0, nullptr))
     cannot_write(path, image.message);
   bytes.resize(size);
-  write_file(path, bytes);
+  write_file(path, chunks.empty() ? bytes : with_chunks(bytes, chunks, scale));
 }
 
 }  // namespace deformlab

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace deformlab {
@@ -40,7 +41,10 @@ Eigen::ArrayXXf alpha_of(const Bitmap& bitmap);
 /// InputError if the file cannot be read completely, or is larger than a Bitmap may be.
 Bitmap read_png(const std::filesystem::path& path);
 
-/// Writes a complete PNG with alpha, or none. Throws InputError if the path cannot be written.
-void write_png(const Bitmap& bitmap, const std::filesystem::path& path);
+/// Writes a complete PNG with alpha, or none. `chunks` are those of another PNG that it keeps
+/// (`kept_chunks`), whose resolution is multiplied by `scale`. Throws InputError if the path cannot
+/// be written.
+void write_png(const Bitmap& bitmap, const std::filesystem::path& path,
+               const std::string& chunks = "", double scale = 1);
 
 }  // namespace deformlab

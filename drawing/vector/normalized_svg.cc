@@ -5,10 +5,13 @@
 #include <librsvg/rsvg.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <pugixml.hpp>
 
+#include "drawing/paint.h"
+#include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
 namespace deformlab {
@@ -25,6 +28,8 @@ constexpr std::string_view kStyleSheet =
     "text, image, foreignObject { display: none !important }"
     "* { filter: none !important; mask: none !important; "
     "mix-blend-mode: normal !important; isolation: auto !important }";
+
+constexpr const char* kOtherFiles = "references to other files";
 
 struct Unref {
   void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
@@ -55,11 +60,16 @@ std::unique_ptr<RsvgHandle, Unref> open(const std::string& bytes, const fs::path
   std::unique_ptr<RsvgHandle, Unref> handle(checked_call(name, [&](GError** error) {
     return rsvg_handle_new_from_data(unsigned_bytes(bytes), bytes.size(), error);
   }));
+  rsvg_handle_set_dpi(handle.get(), 96);
+  return handle;
+}
+
+std::unique_ptr<RsvgHandle, Unref> open_for_curves(const std::string& bytes, const fs::path& name) {
+  auto handle = open(bytes, name);
   checked_call(name, [&](GError** error) {
     return rsvg_handle_set_stylesheet(handle.get(), unsigned_bytes(kStyleSheet), kStyleSheet.size(),
                                       error);
   });
-  rsvg_handle_set_dpi(handle.get(), 96);
   return handle;
 }
 
@@ -90,18 +100,29 @@ void set_size(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
                             svg.width, svg.height));
 }
 
+NormalizedSvg sized(RsvgHandle* handle, const fs::path& name) {
+  NormalizedSvg svg;
+  set_size(handle, name, svg);
+  svg.scale = kUnitsAcross / std::max(svg.width, svg.height);
+  return svg;
+}
+
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
   return CAIRO_STATUS_SUCCESS;
 }
 
-void paint(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
+/// Paints the element with the id, or the whole document.
+void paint(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg,
+           const std::string& id = "") {
   const RsvgRectangle page{0, 0, svg.width * svg.scale, svg.height * svg.scale};
   const std::unique_ptr<cairo_surface_t, Unref> surface(
       cairo_svg_surface_create_for_stream(append, &svg.text, page.width, page.height));
   const std::unique_ptr<cairo_t, Unref> cairo(cairo_create(surface.get()));
   checked_call(name, [&](GError** error) {
-    return rsvg_handle_render_document(handle, cairo.get(), &page, error);
+    return id.empty()
+               ? rsvg_handle_render_document(handle, cairo.get(), &page, error)
+               : rsvg_handle_render_layer(handle, cairo.get(), ("#" + id).c_str(), &page, error);
   });
   cairo_surface_finish(surface.get());
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
@@ -130,24 +151,47 @@ struct Hidden : pugi::xml_tree_walker {
     }
     const bool reference = name == "href" || name.ends_with(":href");
     const bool inside = value.empty() || value.starts_with('#') || value.starts_with("data:");
-    if (reference && !inside && !is_link) ++counts["references to other files"];
+    if (reference && !inside && !is_link) ++counts[kOtherFiles];
   }
 };
 
 }  // namespace
 
 NormalizedSvg normalized_svg(const std::string& bytes, const fs::path& name) {
-  const auto handle = open(bytes, name);
-  NormalizedSvg svg;
-  set_size(handle.get(), name, svg);
-  svg.scale = kUnitsAcross / std::max(svg.width, svg.height);
+  const auto handle = open_for_curves(bytes, name);
+  NormalizedSvg svg = sized(handle.get(), name);
   paint(handle.get(), name, svg);
   pugi::xml_document document;
   Hidden hidden;
   if (document.load_buffer(bytes.data(), bytes.size())) document.traverse(hidden);
   for (const auto& [what, count] : hidden.counts)
-    svg.notes.push_back(fmt::format("left out: {} ({})", what, count));
+    (what == kOtherFiles ? svg.notes : svg.not_curves)
+        .push_back(fmt::format("left out: {} ({})", what, count));
   return svg;
+}
+
+std::vector<NormalizedSvg> normalized_elements(const std::string& bytes, const fs::path& name,
+                                               const std::vector<std::string>& ids) {
+  const auto handle = open_for_curves(bytes, name);
+  const NormalizedSvg empty = sized(handle.get(), name);
+  std::vector<NormalizedSvg> elements(ids.size(), empty);
+  for (std::size_t i = 0; i < ids.size(); ++i) paint(handle.get(), name, elements[i], ids[i]);
+  return elements;
+}
+
+Bitmap svg_picture(const std::string& bytes, const fs::path& name, double resolution) {
+  const auto handle = open(bytes, name);
+  const NormalizedSvg size = sized(open_for_curves(bytes, name).get(), name);
+  const double width = std::max(1.0, std::round(size.width * resolution));
+  const double height = std::max(1.0, std::round(size.height * resolution));
+  const std::string problem = size_problem(width, height);
+  if (!problem.empty()) throw InputError(fmt::format("cannot paint a page of {}", problem));
+  const RsvgRectangle page{0, 0, size.width * resolution, size.height * resolution};
+  return painted(static_cast<int>(width), static_cast<int>(height), [&](cairo_t* cairo) {
+    checked_call(name, [&](GError** error) {
+      return rsvg_handle_render_document(handle.get(), cairo, &page, error);
+    });
+  });
 }
 
 }  // namespace deformlab

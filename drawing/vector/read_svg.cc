@@ -9,7 +9,6 @@
 #include "drawing/vector/curves.h"
 #include "drawing/vector/normalized_svg.h"
 #include "drawing/vector/svg_values.h"
-#include "geometry/core/files.h"
 
 namespace deformlab {
 namespace {
@@ -77,7 +76,7 @@ class Reader {
     State state;
     state.map.scale(1 / svg.scale);
     children(document_.child("svg"), state);
-    for (const std::string& note : notes_) drawing.notes.push_back(note);
+    for (const std::string& note : notes_) drawing.not_curves.push_back(note);
   }
 
  private:
@@ -161,6 +160,7 @@ class Reader {
     reach = {reach.min().array() - half, reach.max().array() + half};
     for (const Outlines& clip : state.clips)
       if (!is_box(clip) || !extent(clip.curves).contains(reach)) path.clips.push_back(clip);
+    path.number = static_cast<int>(drawing_.paths.size());
     drawing_.paths.push_back(std::move(path));
   }
 
@@ -237,17 +237,24 @@ class Reader {
 
 }  // namespace
 
-VectorDrawing read_svg(const std::filesystem::path& path) {
-  const NormalizedSvg svg = normalized_svg(read_file(path), path);
+VectorDrawing read_svg(const std::string& bytes, const std::filesystem::path& name) {
+  const NormalizedSvg svg = normalized_svg(bytes, name);
   VectorDrawing drawing;
   drawing.notes = svg.notes;
+  drawing.not_curves = svg.not_curves;
   const Reader reader(svg, drawing);
-  if (drawing.paths.empty()) {
-    std::string what = "it paints no path";
-    for (const std::string& note : svg.notes) what += "; " + note;
-    cannot_read(path, what);
-  }
   return drawing;
+}
+
+std::vector<std::size_t> count_paths(const std::string& bytes, const std::filesystem::path& name,
+                                     const std::vector<std::string>& ids) {
+  std::vector<std::size_t> counts;
+  for (const NormalizedSvg& svg : normalized_elements(bytes, name, ids)) {
+    VectorDrawing drawing;
+    const Reader reader(svg, drawing);
+    counts.push_back(drawing.paths.size());
+  }
+  return counts;
 }
 
 }  // namespace deformlab

@@ -47,6 +47,7 @@ struct VectorPath {
   double miter_limit = 4;
   std::vector<double> dashes;   ///< alternating lengths of dashes and gaps [length]
   double dash_offset = 0;       ///< [length]
+  int number = -1;              ///< its place among all paths of its file, or −1
   std::vector<Outlines> clips;  ///< only what is inside all of these is painted
 };
 

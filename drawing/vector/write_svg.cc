@@ -1,8 +1,12 @@
 #include "drawing/vector/write_svg.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 
 #include "drawing/vector/gradient.h"
@@ -41,12 +45,16 @@ std::string to_color(const std::array<double, 4>& color) {
 
 class Writer {
  public:
-  Writer(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page) {
+  Writer(const std::vector<VectorPath>& paths, const SvgNames& names,
+         const Eigen::AlignedBox2d& page)
+      : names_(names) {
     root_ = document_.append_child("svg");
     set(root_, "xmlns", "http://www.w3.org/2000/svg");
     set(root_, "width", number(page.sizes().x()));
     set(root_, "height", number(page.sizes().y()));
     set(root_, "viewBox", pair(page.min()) + " " + pair(page.sizes()));
+    copy_namespaces(names.root(), root_);
+    copy_names(names.root(), root_, names.root() && is_new(names.root()));
     definitions_ = root_.append_child("defs");
     for (const VectorPath& path : paths) add(path);
     if (!definitions_.first_child()) root_.remove_child(definitions_);
@@ -54,7 +62,7 @@ class Writer {
 
   std::string text() const {
     std::ostringstream out;
-    document_.save(out, " ");
+    document_.save(out, " ", pugi::format_default | pugi::format_no_escapes);
     return out.str();
   }
 
@@ -64,19 +72,54 @@ class Writer {
   }
 
   void add(const VectorPath& path) {
-    pugi::xml_node parent = root_;
+    const pugi::xml_node element = names_.element(path.number);
+    pugi::xml_node parent = group_of(element);
     for (const Outlines& clip : path.clips) {
       const std::string id = define(clip);
       parent = parent.append_child("g");
       set(parent, "clip-path", "url(#" + id + ")");
     }
     pugi::xml_node node = parent.append_child("path");
+    if (element) copy_names(element, node, is_new(element));
     set(node, "d", to_data(path.outlines));
     set_paint(node, "fill", path.fill);
     if (path.outlines.even_odd) set(node, "fill-rule", "evenodd");
     if (path.stroke.kind == Paint::Kind::kNone) return;
     set_paint(node, "stroke", path.stroke);
     set_line(node, path);
+  }
+
+  /// Whether the element has not been written before, so that its id can be given.
+  bool is_new(const pugi::xml_node& element) {
+    return written_.insert(element.attribute("id").value()).second;
+  }
+
+  /// The group to which what the element paints is added. Groups are those of the file. One that
+  /// lies in several layers is written several times.
+  pugi::xml_node group_of(const pugi::xml_node& element) {
+    std::vector<pugi::xml_node> around;
+    for (pugi::xml_node g = element.parent(); g && g != names_.root(); g = g.parent())
+      around.insert(around.begin(), g);
+    std::size_t same = 0;
+    while (same < std::min(around.size(), open_.size()) && around[same] == open_[same].first)
+      ++same;
+    open_.resize(same);
+    for (std::size_t i = same; i < around.size(); ++i) {
+      pugi::xml_node parent = i == 0 ? root_ : open_[i - 1].second;
+      const bool is_link = std::string_view(around[i].name()) == "a";
+      pugi::xml_node group = parent.append_child(is_link ? "a" : "g");
+      copy_names(around[i], group, is_new(around[i]));
+      open_.emplace_back(around[i], group);
+    }
+    return open_.empty() ? root_ : open_.back().second;
+  }
+
+  std::string new_id(const char* kind) {
+    std::string id;
+    do {
+      id = fmt::format("{}{}", kind, ++count_);
+    } while (names_.has_id(id));
+    return id;
   }
 
   static void set_line(pugi::xml_node& node, const VectorPath& path) {
@@ -104,7 +147,7 @@ class Writer {
 
   std::string define(const Outlines& clip) {
     pugi::xml_node node = definitions_.append_child("clipPath");
-    std::string id = "clip" + std::to_string(++count_);
+    std::string id = new_id("clip");
     set(node, "id", id);
     pugi::xml_node path = node.append_child("path");
     set(path, "d", to_data(clip));
@@ -115,7 +158,7 @@ class Writer {
   std::string define(const Paint& paint, const GradientFrame& frame) {
     const bool radial = paint.kind == Paint::Kind::kRadial;
     pugi::xml_node node = definitions_.append_child(radial ? "radialGradient" : "linearGradient");
-    std::string id = "paint" + std::to_string(++count_);
+    std::string id = new_id("paint");
     set(node, "id", id);
     set(node, "gradientUnits", "userSpaceOnUse");
     const auto& m = frame.to_page.matrix();
@@ -142,6 +185,9 @@ class Writer {
     return id;
   }
 
+  const SvgNames& names_;
+  std::set<std::string> written_;                                ///< ids
+  std::vector<std::pair<pugi::xml_node, pugi::xml_node>> open_;  ///< groups: the file's and ours
   pugi::xml_document document_;
   pugi::xml_node root_, definitions_;
   int count_ = 0;
@@ -149,9 +195,9 @@ class Writer {
 
 }  // namespace
 
-void write_svg(const std::vector<VectorPath>& paths, const Eigen::AlignedBox2d& page,
-               const std::filesystem::path& path) {
-  write_file(path, Writer(paths, page).text());
+void write_svg(const std::vector<VectorPath>& paths, const SvgNames& names,
+               const Eigen::AlignedBox2d& page, const std::filesystem::path& path) {
+  write_file(path, Writer(paths, names, page).text());
 }
 
 }  // namespace deformlab

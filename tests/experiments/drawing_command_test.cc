@@ -174,7 +174,7 @@ TEST_F(DrawingCommand, RefusesBrokenFiles) {
   put("no.svg", "<svg xmlns='http://www.w3.org/2000/svg'");
   expect_refused(deform("no.svg", kEdit, "o.png"), {"no.svg"});
   put_svg("text.svg", "<text x='3' y='30'>words</text>");
-  expect_refused(deform("text.svg", kEdit, "o.png"), {"text.svg"});
+  expect_refused(deform("text.svg", kEdit, "o.svg"), {"o.svg", "no curves", "text"});
   put("line.txt", "1 1\n5 5\n");
   expect_refused(deform("line.txt", kEdit, "o.png"), {"line.txt"});
   put("eight.txt", "10 10\n90 60\n90 10\n10 60\n");
@@ -317,6 +317,62 @@ TEST_F(DrawingCommand, CurvesAreSplitOnlyAsFarAsTheirDeformationNeeds) {
   expect_success(deform("bar.svg", "edit:\n  - {select: {point: [60, 40]}, fix: true}\n", "o.svg"));
   const std::string text = get("o.svg");
   EXPECT_EQ(std::ranges::count(text, 'C'), 4) << text;
+}
+
+TEST_F(DrawingCommand, AnSvgKeepsNamesGroupsAndLinks) {
+  put("named.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='urn:x' width='120' height='80'>"
+      "<title>figure</title><g id='layer1' class='ink' inkscape:label='Ink'>"
+      "<rect id='bar' x='10' y='25' width='100' height='30' fill='#c63' "
+      "style='mix-blend-mode: multiply'><desc>a bar</desc></rect>"
+      "<a href='https://example.org'><circle class='dot' cx='60' cy='40' r='5'/></a></g></svg>");
+  expect_success(deform("named.svg", kEdit, "out.svg"));
+  const std::string text = get("out.svg");
+  for (const char* kept : {"<title>figure</title>", "id=\"layer1\"", "class=\"ink\"",
+                           "inkscape:label=\"Ink\"", "id=\"bar\"", "mix-blend-mode: multiply",
+                           "<desc>a bar</desc>", "href=\"https://example.org\"", "class=\"dot\""}) {
+    EXPECT_THAT(text, HasSubstr(kept));
+  }
+}
+
+TEST_F(DrawingCommand, APngOfAnSvgShowsWhatCannotBeBentAsCurves) {
+  put_svg("filtered.svg",
+          "<mask id='m'><rect width='60' height='80' fill='#fff'/></mask>"
+          "<rect x='10' y='25' width='100' height='30' fill='#c33' opacity='0.99'/>"
+          "<rect x='10' y='25' width='100' height='30' fill='#33c' mask='url(#m)'/>");
+  Words words =
+      deform("filtered.svg", "edit:\n  - {select: {point: [60, 40]}, fix: true}\n", "o.png");
+  words.emplace_back("output.resolution=1");
+  expect_success(words);
+  const Bitmap out = read_png(place("o.png"));
+  EXPECT_GT(out.pixel(30, 40)[2], 180);  // the mask shows the left half,
+  EXPECT_LT(out.pixel(90, 40)[2], 90);   // and hides the right one
+  EXPECT_THAT(expect_success(deform("filtered.svg", kEdit, "o.svg")).err, HasSubstr("masks"));
+}
+
+TEST_F(DrawingCommand, AnOpaquePictureBendsAsARectangle) {
+  Bitmap photo(48, 32);
+  for (std::size_t i = 0; i < photo.rgba.size(); ++i) {
+    photo.rgba[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(i * 2654435761u >> 11);
+  }
+  put_bitmap("photo.png", photo);
+  const std::string edit =
+      "edit:\n  - {select: {point: [3, 16]}, fix: true}\n"
+      "  - {select: {point: [45, 16]}, by: [0, 5]}\n";
+  expect_refused(deform("photo.png", edit, "o.png"), {"drawing.background=none"});
+  Words words = deform("photo.png", edit, "o.png");
+  words.emplace_back("drawing.background=none");
+  expect_success(words);
+  EXPECT_EQ(read_png(place("o.png")).pixel(3, 16)[3], 255);
+  words.back() = "drawing.background=2";
+  expect_refused(words, {"drawing.background", "from 0 to 1", "none"});
+}
+
+TEST_F(DrawingCommand, FormatsThatAreNotReadAreNamed) {
+  for (const char* name : {"a.svgz", "a.gif", "a.bmp"}) {
+    put(name, "x");
+    expect_refused(deform(name, kEdit, "o.png"), {name, "cannot read", ".webp"});
+  }
 }
 
 TEST_F(DrawingCommand, APartWithoutAHandleStaysAndIsNamed) {

@@ -180,7 +180,10 @@ class DrawingSubject : public Subject {
 // A flat mesh is a drawing only if the method for drawings is asked for.
 bool is_drawing(const CommandLine& line) {
   const std::string extension = extension_of(line.input);
-  if (extension == ".png" || extension == ".svg" || extension == ".txt") return true;
+  for (const char* picture : {".png", ".jpg", ".jpeg", ".webp", ".svg", ".txt", ".svgz", ".gif",
+                              ".bmp", ".tif", ".tiff", ".avif", ".heic", ".pdf", ".eps"}) {
+    if (extension == picture) return true;  // of the last ones, read_drawing says what to do
+  }
   return std::ranges::find(line.overrides, "deformer=arap_2d") != line.overrides.end();
 }
 

@@ -1,0 +1,125 @@
+#include "drawing/vector/svg_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include "drawing/vector/read_svg.h"
+#include "drawing/vector/svg_values.h"
+
+namespace deformlab {
+namespace {
+
+std::string_view local_name(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  return name.substr(name.find(':') + 1);
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// The elements that paint something themselves, in the order in which they are painted.
+void collect(const pugi::xml_node& node, std::vector<pugi::xml_node>& leaves) {
+  for (const pugi::xml_node& child : node.children()) {
+    const std::string_view name = local_name(child);
+    if (is_one_of(name, {"g", "a", "svg"})) collect(child, leaves);
+    if (is_one_of(name, {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "use",
+                         "switch"}))
+      leaves.push_back(child);
+  }
+}
+
+/// Whether all entities of the text are those that every XML file has.
+bool is_portable(std::string_view text) {
+  for (std::size_t at = text.find('&'); at != text.npos; at = text.find('&', at + 1)) {
+    const std::string_view entity = text.substr(at + 1, text.find(';', at) - at - 1);
+    if (!entity.starts_with('#') && !is_one_of(entity, {"amp", "lt", "gt", "quot", "apos"}))
+      return false;
+  }
+  return text.find('<') == text.npos;
+}
+
+bool names_something(std::string_view name, bool is_link) {
+  if (is_link && is_one_of(name, {"href", "xlink:href", "target"})) return true;
+  return is_one_of(name, {"class", "role", "inkscape:label", "inkscape:groupmode"}) ||
+         name.starts_with("data-") || name.starts_with("aria-");
+}
+
+std::string blend_mode(const pugi::xml_node& node) {
+  const auto style = style_of(node.attribute("style").value());
+  const auto found = style.find("mix-blend-mode");
+  if (found != style.end()) return std::string(found->second);
+  return node.attribute("mix-blend-mode").value();
+}
+
+}  // namespace
+
+SvgNames::SvgNames(const std::string& bytes, const std::filesystem::path& name) {
+  constexpr unsigned kAsItStands = pugi::parse_full & ~pugi::parse_escapes;
+  if (!document_.load_buffer(bytes.data(), bytes.size(), kAsItStands)) return;
+  std::vector<pugi::xml_node> leaves;
+  collect(root(), leaves);
+  pugi::xml_document marked;
+  marked.reset(document_);
+  std::vector<pugi::xml_node> copies;
+  collect(marked.document_element(), copies);
+  std::vector<std::string> ids;
+  for (pugi::xml_node& copy : copies) {
+    ids.push_back(fmt::format("deformlab-{}", ids.size()));
+    if (!copy.attribute("id")) copy.append_attribute("id");
+    // A reference or a rule of a style sheet may need the id, and an id may stand twice.
+    const std::string own = copy.attribute("id").value();
+    const std::string path = fmt::format("//*[@id='{}']", own);
+    const bool twice = own.find('\'') != own.npos || marked.select_nodes(path.c_str()).size() > 1;
+    if (own.empty() || twice) copy.attribute("id").set_value(ids.back().c_str());
+    ids.back() = copy.attribute("id").value();
+  }
+  std::ostringstream text;
+  marked.save(text, "", pugi::format_raw | pugi::format_no_escapes);
+  const std::vector<std::size_t> counts = count_paths(text.str(), name, ids);
+  const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  if (all != read_svg(bytes, name).paths.size()) return;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    elements_.insert(elements_.end(), counts[i], leaves[i]);
+}
+
+pugi::xml_node SvgNames::element(int path) const {
+  const auto i = static_cast<std::size_t>(path);
+  return i < elements_.size() ? elements_[i] : pugi::xml_node();
+}
+
+bool SvgNames::has_id(const std::string& id) const {
+  return static_cast<bool>(root().find_node(
+      [&](const pugi::xml_node& node) { return id == node.attribute("id").value(); }));
+}
+
+void copy_names(const pugi::xml_node& from, pugi::xml_node to, bool with_id) {
+  const bool is_link = local_name(from) == "a";
+  for (const pugi::xml_attribute& attribute : from.attributes()) {
+    const std::string_view name = attribute.name();
+    const bool copied = name == "id" ? with_id : names_something(name, is_link);
+    if (copied && is_portable(attribute.value())) to.append_copy(attribute);
+  }
+  const std::string mode = blend_mode(from);
+  if (!mode.empty() && mode != "normal" && is_portable(mode))
+    to.append_attribute("style").set_value(("mix-blend-mode: " + mode).c_str());
+  for (const pugi::xml_node& child : from.children())
+    if (is_one_of(child.name(), {"title", "desc"}) && is_portable(child.child_value()))
+      to.append_copy(child);
+}
+
+void copy_namespaces(const pugi::xml_node& from, pugi::xml_node to) {
+  for (const pugi::xml_attribute& attribute : from.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name == "xmlns:inkscape")
+      to.append_attribute("xmlns:inkscape")
+          .set_value("http://www.inkscape.org/namespaces/inkscape");
+    if (name == "xmlns:xlink")
+      to.append_attribute("xmlns:xlink").set_value("http://www.w3.org/1999/xlink");
+  }
+}
+
+}  // namespace deformlab
