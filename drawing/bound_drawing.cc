@@ -30,17 +30,21 @@ void extend(const Eigen::Matrix2Xd& rest, const Eigen::Matrix2Xd& moved, const P
 
 }  // namespace
 
-BoundDrawing::BoundDrawing(Drawing drawing, Triangulation rest)
+BoundDrawing::BoundDrawing(Drawing drawing, Triangulation rest, std::vector<Triangulation> parts)
     : drawing_(std::move(drawing)),
       rest_(std::move(rest)),
-      paths_(drawing_.paths, rest_, Locator(rest_)) {
-  if (drawing_.bitmap) texture_.emplace(*drawing_.bitmap, in_pixels(rest_, drawing_.page, 1));
+      parts_(rest_, std::move(parts)),
+      paths_(drawing_.paths, parts_.all(), Locator(parts_.all())) {
+  if (drawing_.bitmap)
+    texture_.emplace(*drawing_.bitmap, in_pixels(parts_.all(), drawing_.page, 1));
 }
 
 std::vector<VectorPath> BoundDrawing::paths(const Eigen::Matrix2Xd& V,
                                             const Eigen::VectorXd& depth) const {
-  const Locator locator(rest_);
-  return BoundPaths(in_layers(drawing_.paths, rest_, locator, depth), rest_, locator)(V);
+  const Triangulation& all = parts_.all();
+  const Locator locator(all);
+  return BoundPaths(in_layers(drawing_.paths, all, locator, parts_.depths(depth)), all,
+                    locator)(parts_(V));
 }
 
 Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
@@ -48,13 +52,15 @@ Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& d
   const Eigen::Vector2d size = (page.sizes() * resolution).array().round().max(1);
   const std::string problem = size_problem(size.x(), size.y());
   if (!problem.empty()) throw InputError(fmt::format("cannot draw a page of {}", problem));
-  if (!texture_ && drawing_.svg.empty() && depth.size() == 0)
-    return rasterized(paths_(V), page, resolution);
-  const Eigen::Matrix2Xd at = (V.colwise() - page.min()) * resolution;
+  if (!texture_ && drawing_.svg.empty() && depth.size() == 0) {
+    return rasterized(paths_(parts_(V)), page, resolution);
+  }
+  const Eigen::Matrix2Xd at = (parts_(V).colwise() - page.min()) * resolution;
+  const Eigen::VectorXd depths = parts_.depths(depth);
   const PixelBox box{0, 0, static_cast<int>(size.x()), static_cast<int>(size.y())};
-  if (texture_) return texture_->draw(at, depth, box);
-  return TextureMap(at_rest(resolution), in_pixels(rest_, drawing_.page, resolution))
-      .draw(at, depth, box);
+  if (texture_) return texture_->draw(at, depths, box);
+  return TextureMap(at_rest(resolution), in_pixels(parts_.all(), drawing_.page, resolution))
+      .draw(at, depths, box);
 }
 
 Bitmap BoundDrawing::at_rest(double resolution) const {
@@ -73,9 +79,10 @@ Page BoundDrawing::page_for(const Eigen::Matrix2Xd& V, double step) const {
   if (!V.allFinite()) throw InputError("cannot draw: a deformed vertex is not finite");
   const Page& page = drawing_.page;
   Page reach;
-  extend(rest_.V, V, page, reach);
+  const Eigen::Matrix2Xd moved_mesh = parts_(V);
+  extend(parts_.all().V, moved_mesh, page, reach);
   double beyond = 1;  // strokes and pixels extend beyond control points by this number of steps
-  const std::vector<VectorPath> moved = paths_(V);
+  const std::vector<VectorPath> moved = paths_(moved_mesh);
   for (std::size_t i = 0; i < moved.size(); ++i) {
     beyond = std::max(beyond, 1 + moved[i].stroke_width / step / 2);
     for (std::size_t c = 0; c < moved[i].outlines.curves.size(); ++c)
@@ -83,7 +90,7 @@ Page BoundDrawing::page_for(const Eigen::Matrix2Xd& V, double step) const {
              reach);
   }
   if (texture_)
-    extend(texture_->square_corners_at_rest(), texture_->square_corners(V), page, reach);
+    extend(texture_->square_corners_at_rest(), texture_->square_corners(moved_mesh), page, reach);
   const auto grown = [&](const Eigen::Vector2d& by) -> Eigen::Vector2d {
     return (by.array() > kTouching * step).select((by.array() / step + beyond).ceil() * step, 0.0);
   };

@@ -5,13 +5,15 @@
 #include "drawing/bitmap/texture_map.h"
 #include "drawing/bound_paths.h"
 #include "drawing/drawing.h"
+#include "drawing/following_parts.h"
 
 namespace deformlab {
 
-/// A drawing that follows its triangulation.
+/// A drawing that follows its triangulation. Its detached parts follow it, too (FollowingParts).
 class BoundDrawing {
  public:
-  BoundDrawing(Drawing drawing, Triangulation rest);
+  /// `parts` are the meshes of the detached parts (meshes_of).
+  BoundDrawing(Drawing drawing, Triangulation rest, std::vector<Triangulation> parts = {});
 
   const Drawing& drawing() const { return drawing_; }
   const Triangulation& rest() const { return rest_; }
@@ -39,7 +41,8 @@ class BoundDrawing {
 
   Drawing drawing_;
   Triangulation rest_;
-  BoundPaths paths_;
+  FollowingParts parts_;
+  BoundPaths paths_;  ///< and texture_: follow the mesh and the meshes of the detached parts
   std::optional<TextureMap> texture_;
 };
 

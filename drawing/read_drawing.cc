@@ -25,13 +25,21 @@ namespace fs = std::filesystem;
 constexpr std::array<double, 4> kFill{0.87, 0.84, 0.805, 1}, kLine{0.30, 0.45, 0.68, 1};
 constexpr double kLineWidth = 0.002, kMargin = 0.02;  // as parts of the page's diagonal
 
-void note_the_rest(const Silhouette& found, std::vector<std::string>& notes) {
-  if (found.left_out > 0) {
-    notes.push_back(
+/// Gives the drawing the parts that were found. Returns whether some are dropped.
+bool put_parts(Silhouette found, const DrawingOptions& options, Drawing& drawing) {
+  drawing.region = std::move(found.region);
+  const bool drop = options.parts == DetachedParts::kDrop && !found.detached.empty();
+  if (drop) {
+    drawing.notes.push_back(
         fmt::format("kept the largest part and left out {} detached from it, {:.2g} % of the area",
-                    found.left_out, 100 * found.left_out_share));
+                    found.detached.size(), 100 * found.detached_share));
+  } else {
+    drawing.detached = std::move(found.detached);
   }
-  if (found.filled_holes > 0) notes.push_back(fmt::format("filled {} holes", found.filled_holes));
+  if (found.filled_holes > 0) {
+    drawing.notes.push_back(fmt::format("filled {} holes", found.filled_holes));
+  }
+  return drop;
 }
 
 /// The tolerance for the colour of the background, or nothing for `none`.
@@ -52,7 +60,7 @@ Region whole(const Bitmap& bitmap) {
   return {corners, {}};
 }
 
-Drawing read_bitmap(const fs::path& path, const DrawingOptions& options) {
+Drawing read_bitmap(const fs::path& path, const DrawingOptions& options, const CutLines& cuts) {
   const auto tolerance = background_tolerance(options);
   auto [bitmap, chunks] = read_image(path);
   if (bitmap.width < 3 || bitmap.height < 3)
@@ -62,17 +70,18 @@ Drawing read_bitmap(const fs::path& path, const DrawingOptions& options) {
   drawing.chunks = std::move(chunks);
   drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(bitmap.width, bitmap.height)};
   if (!has_transparency(bitmap)) {
-    if (!tolerance) {
+    if (!tolerance && cuts.empty()) {
       drawing.region = checked(whole(bitmap), path.string());
       drawing.bitmap = std::move(bitmap);
       return drawing;
     }
-    drawing.notes.push_back(remove_background(bitmap, *tolerance, path));
+    if (tolerance) drawing.notes.push_back(remove_background(bitmap, *tolerance, path));
   }
-  const Silhouette found = trace(alpha_of(bitmap), options.trace, path.string());
-  note_the_rest(found, drawing.notes);
-  drawing.region = found.region;
-  if (found.left_out > 0) clear_outside(drawing.region, options.trace.threshold, bitmap);
+  Eigen::ArrayXXf alpha = alpha_of(bitmap);
+  cut_along(cuts, 1, alpha);
+  if (put_parts(trace(alpha, options.trace, path.string()), options, drawing)) {
+    clear_outside(drawing.region, options.trace.threshold, bitmap);
+  }
   drawing.bitmap = std::move(bitmap);
   return drawing;
 }
@@ -125,26 +134,31 @@ void keep_paths(const RegionMask& mask, double resolution, Drawing& drawing) {
         fmt::format("left out {} paths that are not on it", before - drawing.paths.size()));
 }
 
+void divide(Region& region, double by) {
+  region.outline /= by;
+  for (Eigen::Matrix2Xd& hole : region.holes) hole /= by;
+}
+
 /// Traces the outline of what the paths paint, at the resolution that the options ask for.
-void trace_paths(const fs::path& path, const DrawingOptions& options, Drawing& drawing) {
+void trace_paths(const fs::path& path, const DrawingOptions& options, const CutLines& cuts,
+                 Drawing& drawing) {
   const double resolution = options.outline / drawing.page.sizes().maxCoeff();
   TraceOptions in_pixels = options.trace;
   in_pixels.least_hole *= resolution * resolution;
   const Bitmap painted = drawing.not_curves.empty()
                              ? rasterized(drawing.paths, drawing.page, resolution)
                              : svg_picture(drawing.svg, path, resolution);
-  const Silhouette found = trace(alpha_of(painted), in_pixels, path.string());
-  note_the_rest(found, drawing.notes);
-  if (found.left_out > 0) {
-    keep_paths(RegionMask(found.region, painted), resolution, drawing);
+  Eigen::ArrayXXf alpha = alpha_of(painted);
+  cut_along(cuts, resolution, alpha);
+  if (put_parts(trace(alpha, in_pixels, path.string()), options, drawing)) {
+    keep_paths(RegionMask(drawing.region, painted), resolution, drawing);
     drawing.shows_more = true;
   }
-  drawing.region = found.region;
-  drawing.region.outline /= resolution;
-  for (Eigen::Matrix2Xd& hole : drawing.region.holes) hole /= resolution;
+  divide(drawing.region, resolution);
+  for (Region& part : drawing.detached) divide(part, resolution);
 }
 
-Drawing read_vector(const fs::path& path, const DrawingOptions& options) {
+Drawing read_vector(const fs::path& path, const DrawingOptions& options, const CutLines& cuts) {
   Drawing drawing;
   drawing.svg = read_file(path);
   VectorDrawing svg = read_svg(drawing.svg, path);
@@ -158,7 +172,7 @@ Drawing read_vector(const fs::path& path, const DrawingOptions& options) {
     cut_pieces(painted.outlines.curves, longest);
     for (Outlines& clip : painted.clips) cut_pieces(clip.curves, longest);
   }
-  trace_paths(path, options, drawing);
+  trace_paths(path, options, cuts, drawing);
   return drawing;
 }
 
@@ -211,10 +225,16 @@ Drawing read_mesh(const fs::path& path) {
   return drawing;
 }
 
-Drawing read_by_extension(const fs::path& path, const DrawingOptions& options) {
+Drawing read_by_extension(const fs::path& path, const DrawingOptions& options,
+                          const CutLines& cuts) {
   const std::string extension = extension_of(path);
-  if (is_image(extension)) return read_bitmap(path, options);
-  if (extension == ".svg") return read_vector(path, options);
+  if (is_image(extension)) return read_bitmap(path, options, cuts);
+  if (extension == ".svg") return read_vector(path, options, cuts);
+  if (!cuts.empty()) {
+    throw InputError(
+        fmt::format("cannot cut '{}': only images and vector drawings are cut; leave 'cut' out",
+                    path.string()));
+  }
   if (extension == ".txt") return read_polygon(path, options);
   if (extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl")
     return read_mesh(path);
@@ -227,11 +247,23 @@ Drawing read_by_extension(const fs::path& path, const DrawingOptions& options) {
 
 }  // namespace
 
-Drawing read_drawing(const fs::path& path, const DrawingOptions& options) {
+Drawing read_drawing(const fs::path& path, const DrawingOptions& options, const CutLines& cuts) {
   check_options(options);
-  Drawing drawing = read_by_extension(path, options);
+  Drawing drawing = read_by_extension(path, options, cuts);
   drawing.file = path;
   return drawing;
+}
+
+bool shows(const Drawing& drawing, const Eigen::Vector2d& point) {
+  if (contains(drawing.region, point)) return true;
+  if (std::ranges::any_of(drawing.detached,
+                          [&](const Region& part) { return contains(part, point); })) {
+    return true;
+  }
+  if (!drawing.bitmap || !drawing.page.contains(point)) return false;
+  const int x = std::min(static_cast<int>(point.x()), drawing.bitmap->width - 1);
+  const int y = std::min(static_cast<int>(point.y()), drawing.bitmap->height - 1);
+  return drawing.bitmap->pixel(x, y)[3] > 0;
 }
 
 }  // namespace deformlab

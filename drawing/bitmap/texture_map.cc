@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kBand = 32;               // rows drawn at once
 constexpr int kMostSamples = 8;         // along each side of a pixel, if the texture shrinks
+constexpr double kCrisp = 1.5;          // pixels this near to the mesh follow one limb [texel]
+constexpr double kThin = 2;             // squares with a greater change of area fade
 constexpr double kSameLayer = 2;        // two hits with a smaller distance are one layer [texel]
 constexpr double kOpaqueEnough = 1e-4;  // with less transparency, farther layers are not visible
 
@@ -20,6 +22,7 @@ constexpr double kOpaqueEnough = 1e-4;  // with less transparency, farther layer
 struct Piece {
   Eigen::Matrix<double, 2, 3> at;    ///< corners in the output
   Eigen::Matrix<double, 2, 3> from;  ///< corners in the texture
+  Eigen::Vector3d ink;               ///< share of the opacity that is kept at the corners
   double depth;
   bool is_square;  ///< whether it is half of a square outside the mesh
 };
@@ -29,6 +32,7 @@ struct Hit {
   int pixel;
   std::size_t piece;
   Eigen::Vector2d source;  ///< the texture's coordinates at the pixel's centre
+  double ink;
 };
 
 /// The derivative of the texture's coordinates with respect to those of the output.
@@ -87,7 +91,8 @@ Eigen::Vector4d blend(const Bitmap& texture, const std::vector<Piece>& pieces, c
     const bool drawn = std::any_of(begin, hit, [&](const Hit& other) {
       return (other.source - hit->source).squaredNorm() < kSameLayer * kSameLayer;
     });
-    if (!drawn) color += (1 - color[3]) * sample(texture, pieces[hit->piece], hit->source);
+    if (drawn) continue;
+    color += (1 - color[3]) * hit->ink * sample(texture, pieces[hit->piece], hit->source);
   }
   return color;
 }
@@ -107,7 +112,7 @@ void draw_band(const Bitmap& texture, const std::vector<Piece>& pieces,
   std::vector<Hit> hits;
   for (const std::size_t i : here)
     for_each_pixel(pieces[i].at, box, [&](int x, int y, const Eigen::Vector3d& b) {
-      hits.push_back({(y - box.top) * box.width + x, i, pieces[i].from * b});
+      hits.push_back({(y - box.top) * box.width + x, i, pieces[i].from * b, pieces[i].ink.dot(b)});
     });
   std::ranges::sort(hits, [&](const Hit& a, const Hit& b) {
     const Piece &p = pieces[a.piece], &q = pieces[b.piece];
@@ -121,6 +126,25 @@ void draw_band(const Bitmap& texture, const std::vector<Piece>& pieces,
     store(color, out.pixel(begin->pixel % box.width, box.top + begin->pixel / box.width));
     begin = end;
   }
+}
+
+double area_of(const Eigen::Matrix<double, 2, 3>& triangle) {
+  return std::abs((triangle.rightCols<2>().colwise() - triangle.col(0)).determinant()) / 2;
+}
+
+/// What the corners of the squares keep of their opacity with the corners at V (2×n). Between two
+/// limbs that part, squares become long. Their ink is spread over their area, so that a shadow
+/// between the limbs fades instead of tearing.
+Eigen::VectorXd kept_ink(const Triangulation& squares, const Eigen::Matrix2Xd& V) {
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(V.cols()), after = before;
+  for (Eigen::Index f = 0; f < squares.F.cols(); ++f)
+    for (const int corner : squares.F.col(f)) {
+      before[corner] += area_of(corners(squares.V, squares.F, f));
+      after[corner] += area_of(corners(V, squares.F, f));
+    }
+  return (after.array() > kThin * before.array())
+      .select(kThin * before.array() / after.array(), 1.0)
+      .matrix();
 }
 
 /// For each band of rows, the pieces that overlap it.
@@ -141,7 +165,7 @@ std::vector<std::vector<std::size_t>> by_band(const std::vector<Piece>& pieces, 
 TextureMap::TextureMap(Bitmap texture, Triangulation rest)
     : texture_(std::move(texture)), rest_(std::move(rest)) {
   squares_ = uncovered_squares(rest_, texture_);
-  square_corners_ = Binding(rest_, Locator(rest_), squares_.V);
+  square_corners_ = Binding(rest_, Locator(rest_), squares_.V, kCrisp);
 }
 
 Bitmap TextureMap::draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
@@ -151,14 +175,15 @@ Bitmap TextureMap::draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
   Bitmap out(box.width, box.height);
   const Eigen::Vector2d origin(box.left, box.top);
   const Eigen::Matrix2Xd square_corners = square_corners_(V);
+  const Eigen::VectorXd ink = kept_ink(squares_, square_corners);
   std::vector<Piece> pieces;
   const auto depth_of = [&](Eigen::Index f) { return depth.size() > 0 ? depth[f] : 0.0; };
   for (Eigen::Index f = 0; f < rest_.F.cols(); ++f)
     pieces.push_back({corners(V, rest_.F, f).colwise() - origin, corners(rest_.V, rest_.F, f),
-                      depth_of(f), false});
+                      Eigen::Vector3d::Ones(), depth_of(f), false});
   for (Eigen::Index f = 0; f < squares_.F.cols(); ++f)
     pieces.push_back({corners(square_corners, squares_.F, f).colwise() - origin,
-                      corners(squares_.V, squares_.F, f),
+                      corners(squares_.V, squares_.F, f), ink(squares_.F.col(f)),
                       depth_of(square_corners_.triangle(squares_.F(0, f))), true});
   const auto bands = by_band(pieces, box.height);
   Workers(0).each(static_cast<int>(bands.size()), [&](int band) {

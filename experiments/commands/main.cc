@@ -23,8 +23,9 @@ DEFINE_string(picture, "", "deform, animate: a PNG file of the shape or frames b
 DEFINE_bool(strict, false, "deform: write nothing if the result is not what the edit asks for");
 DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes,
              "deform: the most nodes that the graph may have");
-DEFINE_int32(vertices, deformlab::TriangulationOptions{}.vertices,
-             "deform a drawing: number of vertices of its mesh");
+DEFINE_int32(
+    vertices, deformlab::TriangulationOptions{}.vertices,
+    "deform a drawing: number of vertices of its mesh; 0 chooses it by the width of its limbs");
 
 namespace {
 

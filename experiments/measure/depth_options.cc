@@ -12,6 +12,12 @@ Eigen::VectorXd order_of(DepthFront front, const Triangulation& rest) {
   return sign * rest.V.row(along_x ? 0 : 1).transpose();
 }
 
+// Adds the levels, of which one step exceeds the range of the order.
+Eigen::VectorXd leveled(Eigen::VectorXd order, const Eigen::VectorXd& levels) {
+  if (levels.size() > 0) order += 2 * (order.maxCoeff() - order.minCoeff()) * levels;
+  return order;
+}
+
 double area_of(const Triangulation& mesh) {
   double area = 0;
   for (const auto f : mesh.F.colwise()) {
@@ -24,10 +30,11 @@ double area_of(const Triangulation& mesh) {
 
 }  // namespace
 
-DrawingDepth::DrawingDepth(const DepthOptions& options, const Triangulation& rest)
+DrawingDepth::DrawingDepth(const DepthOptions& options, const Triangulation& rest,
+                           const Eigen::VectorXd& levels)
     : options_(options),
       rest_(rest),
-      order_(order_of(options.front, rest)),
+      order_(leveled(order_of(options.front, rest), levels)),
       static_(vertex_depths(rest.F, order_).colwise().mean()),
       adjusted_(rest, order_) {}
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "deformers/depth/depth_order.h"
+#include "experiments/config/config_node.h"
 #include "experiments/measure/measurements.h"
 #include "geometry/core/options.h"
 
@@ -21,6 +22,7 @@ constexpr auto names_of(DepthFront) {
 /// 5.1).
 struct DepthOptions {
   DepthFront front = DepthFront::kEnds;  ///< the order of the drawing at rest
+  ConfigNode parts;                      ///< levels of single parts, which come before `front`
   bool adjust = true;  ///< false: each triangle keeps the depth that it has at rest
 
   template <class Self, class Visit>
@@ -28,6 +30,9 @@ struct DepthOptions {
     visit("front", o.front,
           "Which parts are in front where parts overlap: those that are farther from the middle of "
           "the drawing, measured along it (ends), or those that lie farther to one side at rest");
+    visit("parts", o.parts,
+          "Levels of single parts, which come before `front`: a list of {select: SELECTION, level: "
+          "n}; parts of a higher level are in front, and that of the others is 0");
     visit("adjust", o.adjust,
           "Whether overlapping parts are moved apart in depth; otherwise they keep the depths that "
           "they have at rest");
@@ -37,7 +42,9 @@ struct DepthOptions {
 /// The depths of a drawing, which follow the updates of its mesh.
 class DrawingDepth {
  public:
-  DrawingDepth(const DepthOptions& options, const Triangulation& rest);
+  /// `levels` are those of single parts (#V), or of size 0 if there are none.
+  DrawingDepth(const DepthOptions& options, const Triangulation& rest,
+               const Eigen::VectorXd& levels = {});
 
   /// Returns the depth of each triangle (#F) with the vertices at V (2×#V). A triangle of greater
   /// depth is in front.

@@ -37,6 +37,18 @@ Eigen::Matrix2Xd from_cgal(const Polygon& polygon) {
   return result;
 }
 
+// Whether a ray from the point along x crosses the polygon an odd number of times.
+bool crossed_an_odd_number_of_times(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& point) {
+  bool odd = false;
+  for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
+    const Eigen::Vector2d a = polygon.col(i), b = polygon.col((i + 1) % polygon.cols());
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    odd = odd != (x > point.x());
+  }
+  return odd;
+}
+
 }  // namespace
 
 double signed_area(const Eigen::Matrix2Xd& polygon) {
@@ -57,6 +69,14 @@ double perimeter(const Region& region) {
   double result = length(region.outline);
   for (const auto& hole : region.holes) result += length(hole);
   return result;
+}
+
+bool contains(const Region& region, const Eigen::Vector2d& point) {
+  bool inside = crossed_an_odd_number_of_times(region.outline, point);
+  for (const auto& hole : region.holes) {
+    inside = inside != crossed_an_odd_number_of_times(hole, point);
+  }
+  return inside;
 }
 
 Region simplified(const Region& region, double tolerance) {

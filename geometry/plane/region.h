@@ -22,6 +22,9 @@ double area(const Region& region);
 /// Length of the outline and of all holes [length].
 double perimeter(const Region& region);
 
+/// Whether a point lies in the outline and in no hole.
+bool contains(const Region& region, const Eigen::Vector2d& point);
+
 /// The region without repeated corners. Its outline turns from x to y and its holes turn the other
 /// way. Throws InputError where a polygon has fewer than three different corners, no area or a
 /// coordinate that is not finite, where edges cross or touch (the message names two of them and the

@@ -1,7 +1,9 @@
 #include "geometry/plane/silhouette.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <span>
 #include <sstream>
 
 #include "geometry/core/error.h"
@@ -30,20 +32,40 @@ std::size_t fill_holes(const TraceOptions& options, Region& region) {
   });
 }
 
+// Fills holes in all parts. What lies in a filled hole belongs to the part around it.
+void fill_all(const TraceOptions& options, Silhouette& found) {
+  std::vector<Region> apart;
+  std::size_t filled = fill_holes(options, found.region);
+  const std::size_t in_largest = filled;
+  for (Region& part : found.detached) {
+    filled += fill_holes(options, part);
+    const Eigen::Vector2d corner = part.outline.col(0);
+    const auto around = [&](const Region& other) { return contains(other, corner); };
+    if (in_largest > 0 && around(found.region)) continue;
+    if (filled > in_largest && std::ranges::any_of(apart, around)) continue;
+    apart.push_back(std::move(part));
+  }
+  found.detached = std::move(apart);
+  found.filled_holes = static_cast<int>(filled);
+}
+
 }  // namespace
 
 Silhouette trace(const Eigen::ArrayXXf& alpha, const TraceOptions& options,
                  const std::string& name) {
   check(alpha, options, name);
   std::vector<Region> parts = level_set(alpha, static_cast<float>(options.threshold));
-  std::vector<double> areas(parts.size());
-  std::ranges::transform(parts, areas.begin(), [](const Region& part) { return area(part); });
-  const auto largest = std::ranges::max_element(areas);
-  Silhouette result{.region = std::move(parts[largest - areas.begin()])};
-  result.left_out = static_cast<int>(parts.size()) - 1;
-  result.left_out_share = 1 - *largest / std::reduce(areas.begin(), areas.end());
-  if (result.left_out == 0) result.left_out_share = 0;
-  result.filled_holes = static_cast<int>(fill_holes(options, result.region));
+  std::vector<double> areas;
+  for (const Region& part : parts) areas.push_back(area(part));
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return areas[i]; });
+  const double all = std::reduce(areas.begin(), areas.end());
+  Silhouette result{.region = std::move(parts[order.front()])};
+  for (const std::size_t i : std::span(order).subspan(1))
+    result.detached.push_back(std::move(parts[i]));
+  if (!result.detached.empty()) result.detached_share = 1 - areas[order.front()] / all;
+  fill_all(options, result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "geometry/core/options.h"
 #include "geometry/plane/region.h"
@@ -25,10 +26,10 @@ struct TraceOptions {
 
 /// The shape that was found in an image.
 struct Silhouette {
-  Region region;              ///< the connected part with the largest area [pixel]
-  int left_out = 0;           ///< number of the other parts
-  double left_out_share = 0;  ///< their share of the area of all parts, 0 … 1
-  int filled_holes = 0;       ///< number of holes of the region that were filled
+  Region region;                   ///< the connected part with the largest area [pixel]
+  std::vector<Region> detached{};  ///< the other parts, larger ones first [pixel]
+  double detached_share = 0;       ///< their share of the area of all parts, 0 … 1
+  int filled_holes = 0;            ///< number of holes that were filled, in all parts
 };
 
 /// Traces the outline of the opaque pixels by marching squares (Igarashi et al. 2005, section 3).

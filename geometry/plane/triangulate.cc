@@ -14,8 +14,9 @@ namespace deformlab {
 namespace {
 
 constexpr double kLeastDetail = 1e-9;
-constexpr int kPasses = 40;           // of relaxation; more hardly improve the triangles
-constexpr int kMostTries = 8;         // to meet the number of vertices
+constexpr int kPasses = 40;  // of relaxation; more hardly improve the triangles
+constexpr double kFewestSuited = 300, kMostSuited = 2000;  // vertices, if none are asked for
+constexpr int kMostTries = 8;                              // to meet the number of vertices
 constexpr double kFew = 0.8;          // least share of the vertices before more are added
 constexpr double kMostStretch = 1.5;  // longer edges would not follow the boundary
 constexpr double kBlend = 0.1;  // share of the width on either side of the middle where edges grow
@@ -48,6 +49,12 @@ class Lengths {
 double edge_length(const Region& region, int vertices) {
   const double inside = area(region) * 2 / std::sqrt(3.0), rim = perimeter(region) / 2;
   return (rim + std::sqrt(rim * rim + 4 * vertices * inside)) / (2 * vertices);
+}
+
+// The inverse: the number of vertices with which edges have the given length.
+double vertices_with(const Region& region, double length) {
+  const double inside = area(region) * 2 / std::sqrt(3.0), rim = perimeter(region) / 2;
+  return inside / (length * length) + rim / length;
 }
 
 // Triangulates one region with edges of any length.
@@ -127,11 +134,19 @@ class Mesher {
 
 }  // namespace
 
+int suited_vertices(const Region& region) {
+  const double width = 2 * area(region) / perimeter(region);  // of a long limb
+  const double vertices = vertices_with(region, width);
+  return static_cast<int>(std::clamp(vertices, kFewestSuited, kMostSuited));
+}
+
 Triangulation triangulate(const Region& region, const TriangulationOptions& options,
                           const std::string& name) {
   check_options(options);
   const Region clean = checked(region, name);
-  return Mesher(clean, options, name).run();
+  TriangulationOptions complete = options;
+  if (complete.vertices == 0) complete.vertices = suited_vertices(clean);
+  return Mesher(clean, complete, name).run();
 }
 
 }  // namespace deformlab

@@ -28,6 +28,14 @@ TriangleQuality quality(const Triangulation& mesh) {
   return result;
 }
 
+void append(const Triangulation& part, Triangulation& mesh) {
+  const Eigen::Index vertices = mesh.V.cols(), triangles = mesh.F.cols();
+  mesh.V.conservativeResize(2, vertices + part.V.cols());
+  mesh.F.conservativeResize(3, triangles + part.F.cols());
+  mesh.V.rightCols(part.V.cols()) = part.V;
+  mesh.F.rightCols(part.F.cols()) = part.F.array() + static_cast<int>(vertices);
+}
+
 Shape to_shape(const Triangulation& mesh) {
   Shape shape;
   shape.V = Eigen::Matrix3Xd::Zero(3, mesh.V.cols());

@@ -26,17 +26,22 @@ struct TriangleQuality {
 TriangleQuality quality(const Triangulation& mesh);
 
 struct TriangulationOptions {
-  int vertices = 300;
+  int vertices = 0;   ///< 0: as many as suit the widths of the region's limbs
   double uneven = 1;  ///< as in Figure 18; 1 makes edges of the same length everywhere
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.range("vertices", o.vertices, {.min = 3, .max = 200'000},
-                "The number of vertices of the mesh, which is met approximately");
+    visit.range("vertices", o.vertices, {.min = 0, .max = 200'000},
+                "The number of vertices of the mesh, which is met approximately; 0 takes 300 to "
+                "2000, so that edges are about as long as the limbs of the drawing are wide");
     visit.range("uneven", o.uneven, {.min = 0.1, .max = 10},
                 "How many times as long edges are on the right as on the left");
   }
 };
+
+/// The number of vertices with which edges are about as long as the region's limbs are wide in the
+/// mean, but at least 300 and at most 2000.
+int suited_vertices(const Region& region);
 
 /// Cuts a region into nearly equilateral triangles of similar size: a constrained Delaunay
 /// triangulation that is refined and then improved iteratively (Igarashi et al. 2005, section 3).
@@ -54,6 +59,9 @@ Triangulation triangulate(const Region& region, const TriangulationOptions& opti
 /// triangle without area or one that turns the other way than the first, or a vertex in no
 /// triangle. `name` is what the message calls the shape.
 Triangulation flat(const Shape& shape, const std::string& name);
+
+/// Appends the vertices and triangles of a part.
+void append(const Triangulation& part, Triangulation& mesh);
 
 /// The triangulation as a shape with z = 0.
 Shape to_shape(const Triangulation& mesh);

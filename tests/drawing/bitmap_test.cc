@@ -111,11 +111,22 @@ TEST_F(DrawingBitmap, PlainBackgroundIsTakenAwayAndTheRimEstimated) {
   EXPECT_NEAR(area(drawing.region), std::numbers::pi * 400, 10);
 }
 
-TEST_F(DrawingBitmap, OtherPartsAreLeftOutWithAWord) {
+TEST_F(DrawingBitmap, OtherPartsStay) {
+  Bitmap two = disc(100, 60, {30, 30}, 20);
+  const Bitmap small = disc(100, 60, {80, 30}, 10);
+  for (std::size_t i = 0; i < two.rgba.size(); ++i) two.rgba[i] |= small.rgba[i];
+  const Drawing drawing = read_drawing(put_png(two), {});
+  EXPECT_EQ(drawing.bitmap->rgba, two.rgba);
+  ASSERT_EQ(drawing.detached.size(), 1U);
+  EXPECT_NEAR(area(drawing.detached[0]), std::numbers::pi * 100, 2);
+  EXPECT_THAT(drawing.notes, IsEmpty());
+}
+
+TEST_F(DrawingBitmap, OtherPartsAreDroppedWithAWord) {
   Bitmap two = disc(100, 60, {30, 30}, 20);
   const Bitmap one = two, small = disc(100, 60, {80, 30}, 10);
   for (std::size_t i = 0; i < two.rgba.size(); ++i) two.rgba[i] |= small.rgba[i];
-  const Drawing drawing = read_drawing(put_png(two), {});
+  const Drawing drawing = read_drawing(put_png(two), {.parts = DetachedParts::kDrop});
   EXPECT_EQ(drawing.bitmap->rgba, one.rgba);
   ASSERT_EQ(drawing.notes.size(), 1U);
   EXPECT_THAT(drawing.notes[0], AllOf(HasSubstr("left out 1"), HasSubstr("20 %")));

@@ -209,14 +209,6 @@ TEST_F(DrawingCommand, RefusesOutputsThatCannotBe) {
                  {"out.png"});
 }
 
-TEST_F(DrawingCommand, SaysThatDetachedPartsAreLeftOut) {
-  Bitmap two = bar();
-  for (int i = 0; i < 5; ++i) two.pixel(2 + i, 3)[3] = two.pixel(2 + i, 4)[3] = 255;
-  put_bitmap("two.png", two);
-  EXPECT_THAT(expect_success(deform("two.png", kEdit, "out.png")).err,
-              HasSubstr("kept the largest part"));
-}
-
 TEST_F(DrawingCommand, WritesTheStages) {
   put_bitmap("bar.png", bar());
   Words words = deform("bar.png", kEdit, "out.obj");

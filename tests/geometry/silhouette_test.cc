@@ -53,8 +53,8 @@ TEST(Trace, MeasuresADiscBelowAPixel) {
     EXPECT_NEAR((corner - Eigen::Vector2d(50, 50)).norm(), 40.3, 0.1);
   }
   EXPECT_EQ(found.region.holes.size(), 0u);
-  EXPECT_EQ(found.left_out, 0);
-  EXPECT_EQ(found.left_out_share, 0);
+  EXPECT_EQ(found.detached.size(), 0u);
+  EXPECT_EQ(found.detached_share, 0);
 }
 
 TEST(Trace, KeepsHolesUnlessToldOtherwise) {
@@ -83,8 +83,8 @@ TEST(Trace, KeepsTheLargestPartAndCountsTheOthers) {
   const double large = std::numbers::pi * 900, others = std::numbers::pi * 100 + 120 * 12 - 36;
   EXPECT_NEAR(area(found.region) / large, 1, 1e-3);
   EXPECT_EQ(found.region.holes.size(), 0u);
-  EXPECT_EQ(found.left_out, 2);
-  EXPECT_NEAR(found.left_out_share, others / (large + others), 1e-3);
+  EXPECT_EQ(found.detached.size(), 2u);
+  EXPECT_NEAR(found.detached_share, others / (large + others), 1e-3);
 }
 
 TEST(Trace, AttachesHolesToThePartAroundThem) {
@@ -141,11 +141,11 @@ TEST(Trace, PlacesTheBoundaryWhereTheThresholdIsMet) {
 TEST(Trace, ConnectsAcrossACornerWhereTheSurfaceDoes) {
   Eigen::ArrayXXf alpha = Eigen::ArrayXXf::Zero(4, 4);
   alpha(1, 1) = alpha(2, 2) = 1;
-  EXPECT_EQ(traced(alpha).left_out, 0);
+  EXPECT_EQ(traced(alpha).detached.size(), 0u);
   alpha(1, 1) = alpha(2, 2) = 0.9f;  // 0.45 in the middle
-  EXPECT_EQ(traced(alpha).left_out, 1);
+  EXPECT_EQ(traced(alpha).detached.size(), 1u);
   alpha(1, 2) = alpha(2, 1) = 0.2f;  // 0.9² > 0.5 … and 0.5375 there
-  EXPECT_EQ(traced(alpha).left_out, 0);
+  EXPECT_EQ(traced(alpha).detached.size(), 0u);
 }
 
 TEST(Trace, GivesSimplePolygonsOfNoise) {
@@ -157,7 +157,7 @@ TEST(Trace, GivesSimplePolygonsOfNoise) {
       sum += area(part);
     }
     const Silhouette found = traced(alpha, {.least_hole = 0});
-    EXPECT_NEAR(found.left_out_share, 1 - area(found.region) / sum, 1e-12);
+    EXPECT_NEAR(found.detached_share, 1 - area(found.region) / sum, 1e-12);
   }
 }
 
@@ -166,7 +166,7 @@ TEST(Trace, TurnedImagesGiveTurnedShapes) {
   const Silhouette one = traced(alpha), turned = traced(alpha.transpose());
   EXPECT_NEAR(area(one.region), area(turned.region), 1e-9);
   EXPECT_NEAR(perimeter(one.region), perimeter(turned.region), 1e-9);
-  EXPECT_EQ(one.left_out, turned.left_out);
+  EXPECT_EQ(one.detached.size(), turned.detached.size());
 }
 
 TEST(Trace, TakesAVeryWideImage) {

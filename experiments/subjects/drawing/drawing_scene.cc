@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
+#include "drawing/following_parts.h"
 #include "experiments/subjects/shape/paint.h"
 #include "geometry/core/error.h"
+#include "geometry/plane/locator.h"
 
 namespace deformlab {
 namespace {
@@ -58,15 +63,64 @@ std::vector<char> painted(const ReadCoat& read, const DrawingScene& scene) {
   return triangles_of(select_vertices(*read.coat.select, shape, read.where), scene.rest);
 }
 
+// The detached parts that an entry of the edit selects something of, in ascending order.
+std::set<std::size_t> parts_with_handles(const DrawingScene& scene,
+                                         const std::vector<EditEntry>& edit) {
+  std::set<std::size_t> result;
+  if (scene.following.empty()) return result;
+  Triangulation all = scene.rest;
+  std::vector<Eigen::Index> first;  // vertex of each part
+  for (const Triangulation& part : scene.following) {
+    first.push_back(all.V.cols());
+    append(part, all);
+  }
+  const auto take = [&](Eigen::Index vertex) {
+    const auto after = std::ranges::upper_bound(first, vertex) - first.begin();
+    if (after > 0) result.insert(static_cast<std::size_t>(after - 1));
+  };
+  const Locator locate(all);
+  const Shape shape = to_shape(all);
+  for (const EditEntry& entry : edit) {
+    const Selection& select = entry.select;
+    if (select.point) take(all.F(0, locate(select.point->head<2>()).triangle));
+    if (!select.box && !select.sphere && !select.nearest) continue;
+    for (const int vertex : select_vertices(select, shape, entry.where)) take(vertex);
+  }
+  return result;
+}
+
+std::set<std::size_t> every_part(const std::vector<Triangulation>& parts) {
+  std::set<std::size_t> result;
+  for (std::size_t i = 0; i < parts.size(); ++i) result.insert(i);
+  return result;
+}
+
+// Makes parts of the mesh of those detached parts that do not follow it.
+void take_own_parts(const std::set<std::size_t>& own, DrawingScene& scene) {
+  std::vector<Triangulation> following;
+  for (std::size_t i = 0; i < scene.following.size(); ++i) {
+    if (own.contains(i)) {
+      append(scene.following[i], scene.rest);
+    } else {
+      following.push_back(std::move(scene.following[i]));
+    }
+  }
+  scene.following = std::move(following);
+}
+
 }  // namespace
 
-DrawingScene make_drawing(const DrawingSceneOptions& options, const fs::path& folder) {
+DrawingScene make_drawing(const DrawingSceneOptions& options, const fs::path& folder,
+                          const std::vector<EditEntry>& edit, const CutLines& cuts) {
   DrawingScene scene;
   scene.path = find_drawing(options.file, folder);
-  scene.drawing = read_drawing(scene.path, options.reading);
+  scene.drawing = read_drawing(scene.path, options.reading, cuts);
   const std::string name = scene.path.string();
   scene.rest = scene.drawing.mesh ? *scene.drawing.mesh
                                   : triangulate(scene.drawing.region, options.mesh, name);
+  scene.following = meshes_of(scene.drawing.detached, scene.rest);
+  const bool all = options.reading.parts == DetachedParts::kOwn;
+  take_own_parts(all ? every_part(scene.following) : parts_with_handles(scene, edit), scene);
   scene.weights.setOnes(scene.rest.F.cols());
   return scene;
 }

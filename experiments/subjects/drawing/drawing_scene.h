@@ -29,14 +29,27 @@ struct DrawingSceneOptions {
 struct DrawingScene {
   std::filesystem::path path;
   Drawing drawing;
-  Triangulation rest;
-  Eigen::VectorXd
-      weights;  ///< #F, the stiffness of each triangle (Igarashi et al. 2005, section 5.2)
+  Triangulation rest;                    ///< of its largest part, then of those with handles
+  std::vector<Triangulation> following;  ///< of the detached parts that follow `rest`
+  /// #F, the stiffness of each triangle (Igarashi et al. 2005, section 5.2)
+  Eigen::VectorXd weights;
 };
 
-/// Reads and triangulates the drawing of a config in `folder`. Throws InputError if it cannot be
-/// read or triangulated.
-DrawingScene make_drawing(const DrawingSceneOptions& options, const std::filesystem::path& folder);
+/// Reads and triangulates the drawing of a config in `folder`, whose edit says which detached parts
+/// have handles. Throws InputError if it cannot be read or triangulated.
+DrawingScene make_drawing(const DrawingSceneOptions& options, const std::filesystem::path& folder,
+                          const std::vector<EditEntry>& edit, const CutLines& cuts = {});
+
+/// The lines under `cut:`: a list of lists of points [x, y]. Throws InputError (naming the line of
+/// the file) for anything else.
+CutLines read_cut_lines(const ConfigNode& list);
+
+/// The levels under `depth.parts`, #V: those of {select: SELECTION, level: n}, else 0. If several
+/// entries select a vertex, the last one counts. Throws InputError if an entry selects nothing.
+Eigen::VectorXd depth_levels(const ConfigNode& list, const Triangulation& rest);
+
+/// Throws the InputError that depth_levels would throw for the list itself.
+void check_depth_levels(const ConfigNode& list);
 
 /// Paints triangles, which gives them another stiffness. An entry {select: SELECTION, weight: w},
 /// with the selections of an edit, paints the triangles whose corners are all selected. An entry

@@ -74,19 +74,23 @@ class DrawingSubject : public Subject {
   void check() const override {
     read_plane_edit(options_.edit);
     check_paint(options_.paint);
+    read_cut_lines(options_.cut);
+    check_depth_levels(options_.depth.parts);
     read_probes(options_.measure.probes, 2);
   }
 
   void read() override {
-    scene_ = make_drawing(options_.drawing, context_.folder);
+    const std::vector<EditEntry> edit = read_plane_edit(options_.edit);
+    scene_ = make_drawing(options_.drawing, context_.folder, edit, read_cut_lines(options_.cut));
     for (const std::string& note : scene_.drawing.notes) LOG(WARNING) << note;
     if (context_.writes()) check_output(context_.command->out, scene_.drawing);
     paint(scene_, options_.paint);
-    edit_ = resolve(read_plane_edit(options_.edit), scene_.rest);
+    const auto shown = [&](const Eigen::Vector2d& p) { return shows(scene_.drawing, p); };
+    edit_ = resolve(on_mesh(edit, scene_.rest, shown), scene_.rest);
     rest_ = to_shape(scene_.rest);
     deformer_ = make_deformer(options_.method, scene_);
     arap_ = dynamic_cast<const Arap2d*>(deformer_.get());
-    depth_.emplace(options_.depth, scene_.rest);
+    depth_.emplace(options_.depth, scene_.rest, depth_levels(options_.depth.parts, scene_.rest));
     if (context_.writes() && options_.output.steps) check_steps();
   }
 
@@ -159,7 +163,8 @@ class DrawingSubject : public Subject {
 
   // Binds the drawing to its mesh only if it is needed, because this takes time.
   std::shared_ptr<const BoundDrawing> bound() {
-    if (!bound_) bound_ = std::make_shared<BoundDrawing>(scene_.drawing, scene_.rest);
+    if (!bound_)
+      bound_ = std::make_shared<BoundDrawing>(scene_.drawing, scene_.rest, scene_.following);
     return bound_;
   }
 
@@ -194,7 +199,7 @@ SubjectKind drawing_kind() {
       .name = "a drawing",
       .flag = "",
       .file_key = "drawing.file",
-      .meaningless = {"shape", "animation", "cut"},
+      .meaningless = {"shape", "animation"},
       .is_in = [](const RunOptions& options) { return !options.drawing.file.empty(); },
       .reads = is_drawing,
       .load_edit = put_edit,

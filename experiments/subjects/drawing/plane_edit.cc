@@ -126,6 +126,22 @@ std::vector<EditEntry> read_plane_edit(const ConfigNode& edit) {
   return read_edit(in_space(edit), 2);
 }
 
+std::vector<EditEntry> on_mesh(std::vector<EditEntry> entries, const Triangulation& rest,
+                               const std::function<bool(const Eigen::Vector2d&)>& belongs) {
+  const Locator locate(rest);
+  for (EditEntry& entry : entries) {
+    if (!entry.select.point) continue;
+    Eigen::Vector3d& point = *entry.select.point;
+    const Located place = locate(point.head<2>());
+    if (place.distance == 0 || !belongs(point.head<2>())) continue;
+    const Eigen::Vector3d nearest(place.nearest.x(), place.nearest.y(), 0);
+    if (entry.to) *entry.to += nearest - point;
+    if (entry.rotate && !entry.rotate->center) entry.rotate->center = point;
+    point = nearest;
+  }
+  return entries;
+}
+
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Triangulation& rest) {
   const Shape shape = to_shape(rest);
   const Locator locate(rest);

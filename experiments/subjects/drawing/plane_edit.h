@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "experiments/subjects/shape/edit.h"
 #include "geometry/plane/triangulation.h"
 
@@ -12,6 +14,11 @@ ConfigNode in_space(const ConfigNode& edit);
 
 /// The same as read_edit, for a drawing.
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit);
+
+/// The entries with each point that is outside of the mesh but belongs to the drawing moved to the
+/// nearest place of the mesh. Its target moves by the same way.
+std::vector<EditEntry> on_mesh(std::vector<EditEntry> entries, const Triangulation& rest,
+                               const std::function<bool(const Eigen::Vector2d&)>& belongs);
 
 /// The same as `resolve`, for a drawing's mesh at rest. A point that is rotated becomes a rotation
 /// handle with a ring around it, whose radius is 4 % of the drawing's diagonal.

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace deformlab {
+
+/// Lines with corners (2×n, n ≥ 2) along which a drawing is cut [length].
+using CutLines = std::vector<Eigen::Matrix2Xd>;
+
+/// Clears the opacity of the pixels on the lines, so that what lies on either side is no longer
+/// connected. The lines are multiplied by `resolution` [pixel/length]. A cut is about as wide as
+/// two pixels.
+void cut_along(const CutLines& lines, double resolution, Eigen::ArrayXXf& alpha);
+
+}  // namespace deformlab
