@@ -11,12 +11,12 @@
 namespace deformlab {
 namespace {
 
-constexpr int kBand = 32;               // rows drawn at once
-constexpr int kMostSamples = 8;         // along each side of a pixel, if the texture shrinks
-constexpr double kCrisp = 1.5;          // pixels this near to the mesh follow one limb [texel]
-constexpr double kThin = 2;             // squares with a greater change of area fade
-constexpr double kSameLayer = 2;        // two hits with a smaller distance are one layer [texel]
-constexpr double kOpaqueEnough = 1e-4;  // with less transparency, farther layers are not visible
+constexpr int kBand = 32;                // rows drawn at once
+constexpr int kMostSamples = 8;          // along each side of a pixel, if the texture shrinks
+constexpr double kCrisp = 1.5;           // pixels this near to the mesh follow one limb [texel]
+constexpr double kThin = 2, kTorn = 10;  // growth of squares from which on they fade, and vanish
+constexpr double kSameLayer = 2;         // two hits with a smaller distance are one layer [texel]
+constexpr double kOpaqueEnough = 1e-4;   // with less transparency, farther layers are not visible
 
 /// A triangle to be drawn.
 struct Piece {
@@ -134,7 +134,7 @@ double area_of(const Eigen::Matrix<double, 2, 3>& triangle) {
 
 /// What the corners of the squares keep of their opacity with the corners at V (2×n). Between two
 /// limbs that part, squares become long. Their ink is spread over their area, so that a shadow
-/// between the limbs fades instead of tearing.
+/// between the limbs fades instead of tearing, and at last nothing is left of it.
 Eigen::VectorXd kept_ink(const Triangulation& squares, const Eigen::Matrix2Xd& V) {
   Eigen::VectorXd before = Eigen::VectorXd::Zero(V.cols()), after = before;
   for (Eigen::Index f = 0; f < squares.F.cols(); ++f)
@@ -142,9 +142,8 @@ Eigen::VectorXd kept_ink(const Triangulation& squares, const Eigen::Matrix2Xd& V
       before[corner] += area_of(corners(squares.V, squares.F, f));
       after[corner] += area_of(corners(V, squares.F, f));
     }
-  return (after.array() > kThin * before.array())
-      .select(kThin * before.array() / after.array(), 1.0)
-      .matrix();
+  const Eigen::ArrayXd spread = kThin * before.array() / after.array().max(kThin * before.array());
+  return ((spread - kThin / kTorn) / (1 - kThin / kTorn)).max(0.0).matrix();
 }
 
 /// For each band of rows, the pieces that overlap it.

@@ -143,6 +143,9 @@ int suited_vertices(const Region& region) {
 Triangulation triangulate(const Region& region, const TriangulationOptions& options,
                           const std::string& name) {
   check_options(options);
+  if (options.vertices == 1 || options.vertices == 2) {
+    throw OptionError("vertices", std::to_string(options.vertices), "; allowed: 0, or 3 to 200000");
+  }
   const Region clean = checked(region, name);
   TriangulationOptions complete = options;
   if (complete.vertices == 0) complete.vertices = suited_vertices(clean);

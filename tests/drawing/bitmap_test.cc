@@ -123,10 +123,12 @@ TEST_F(DrawingBitmap, OtherPartsStay) {
 }
 
 TEST_F(DrawingBitmap, OtherPartsAreDroppedWithAWord) {
+  DrawingOptions options;
+  options.parts = DetachedParts::kDrop;
   Bitmap two = disc(100, 60, {30, 30}, 20);
   const Bitmap one = two, small = disc(100, 60, {80, 30}, 10);
   for (std::size_t i = 0; i < two.rgba.size(); ++i) two.rgba[i] |= small.rgba[i];
-  const Drawing drawing = read_drawing(put_png(two), {.parts = DetachedParts::kDrop});
+  const Drawing drawing = read_drawing(put_png(two), options);
   EXPECT_EQ(drawing.bitmap->rgba, one.rgba);
   ASSERT_EQ(drawing.notes.size(), 1U);
   EXPECT_THAT(drawing.notes[0], AllOf(HasSubstr("left out 1"), HasSubstr("20 %")));

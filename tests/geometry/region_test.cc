@@ -101,5 +101,15 @@ TEST(SimplifiedRegion, DropsCornersWithinTheTolerance) {
   }
 }
 
+TEST(Region, ContainsWhatIsInTheOutlineAndInNoHole) {
+  Region ring{Eigen::Matrix2Xd(2, 4), {Eigen::Matrix2Xd(2, 4)}};
+  ring.outline << 0, 9, 9, 0, 0, 0, 9, 9;
+  ring.holes[0] << 3, 3, 6, 6, 3, 6, 6, 3;
+  EXPECT_TRUE(contains(ring, {1, 5}));
+  EXPECT_FALSE(contains(ring, {5, 5}));
+  EXPECT_FALSE(contains(ring, {-1, 5}));
+  EXPECT_FALSE(contains(ring, {10, 5}));
+}
+
 }  // namespace
 }  // namespace deformlab::test

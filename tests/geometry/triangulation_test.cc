@@ -251,7 +251,7 @@ TEST(Triangulate, WorksOnAnyDrawing) {
 
 TEST(Triangulate, RefusesOptionsOutOfRange) {
   const Region region{box(0, 0, 9, 9), {}};
-  EXPECT_EQ(refused(region, {.vertices = 2}), "vertices is 2; allowed: 3 to 200000");
+  EXPECT_EQ(refused(region, {.vertices = 2}), "vertices is 2; allowed: 0, or 3 to 200000");
   EXPECT_THAT(refused(region, {.vertices = 200001}), HasSubstr("vertices is 200001"));
   EXPECT_EQ(refused(region, {.uneven = 0}), "uneven is 0; allowed: 0.1 to 10");
   EXPECT_THAT(refused(region, {.uneven = 11}), HasSubstr("uneven"));
@@ -335,6 +335,13 @@ TEST_F(Flat, RefusesWhatIsNoFlatMesh) {
   EXPECT_NE(refused(), "");
   shape_ = {};
   EXPECT_NE(refused(), "");
+}
+
+TEST(Triangulation, TheNumberOfVerticesSuitsTheWidthOfTheLimbs) {
+  EXPECT_EQ(suited_vertices({box(0, 0, 100, 100), {}}), 300);
+  EXPECT_NEAR(suited_vertices({box(0, 0, 900, 3), {}}), 650, 20);  // edges of three, on both sides
+  EXPECT_EQ(suited_vertices({box(0, 0, 9000, 3), {}}), 2000);
+  EXPECT_NEAR(triangulate({box(0, 0, 900, 3), {}}, {}, "a line").V.cols(), 650, 50);
 }
 
 }  // namespace

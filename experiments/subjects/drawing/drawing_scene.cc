@@ -81,7 +81,8 @@ std::set<std::size_t> parts_with_handles(const DrawingScene& scene,
   const Locator locate(all);
   const Shape shape = to_shape(all);
   for (const EditEntry& entry : edit) {
-    const Selection& select = entry.select;
+    if (!entry.selection) continue;
+    const Selection& select = *entry.selection;
     if (select.point) take(all.F(0, locate(select.point->head<2>()).triangle));
     if (!select.box && !select.sphere && !select.nearest) continue;
     for (const int vertex : select_vertices(select, shape, entry.where)) take(vertex);

@@ -130,8 +130,8 @@ std::vector<EditEntry> on_mesh(std::vector<EditEntry> entries, const Triangulati
                                const std::function<bool(const Eigen::Vector2d&)>& belongs) {
   const Locator locate(rest);
   for (EditEntry& entry : entries) {
-    if (!entry.select.point) continue;
-    Eigen::Vector3d& point = *entry.select.point;
+    if (!entry.selection || !entry.selection->point) continue;
+    Eigen::Vector3d& point = *entry.selection->point;
     const Located place = locate(point.head<2>());
     if (place.distance == 0 || !belongs(point.head<2>())) continue;
     const Eigen::Vector3d nearest(place.nearest.x(), place.nearest.y(), 0);
