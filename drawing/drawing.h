@@ -25,10 +25,10 @@ using Page = Eigen::AlignedBox2d;
 struct Drawing {
   std::filesystem::path file;  ///< the file that it was read from
   Page page;
-  std::optional<Bitmap> bitmap;  ///< the pixels of the page, if the file is a bitmap
-  std::string chunks;            ///< of a PNG, which its pictures keep (kept_chunks)
-  std::string svg;               ///< the bytes of an SVG whose picture is shown
-  bool shows_more = false;       ///< whether the SVG shows detached parts that are left out
+  std::optional<Bitmap> bitmap;         ///< the pixels of the page, if the file is a bitmap
+  std::string chunks;                   ///< of a PNG, which its pictures keep (kept_chunks)
+  std::string svg;                      ///< the bytes of an SVG whose picture is shown
+  bool shows_more = false;              ///< whether the SVG shows detached parts that are left out
   std::vector<VectorPath> paths;        ///< in the order in which they are painted
   Region region;                        ///< its largest connected part; empty if there is a mesh
   std::vector<Region> detached;         ///< the parts that are apart from it, larger ones first
@@ -77,7 +77,8 @@ struct DrawingOptions {
 ///   .png .jpg .jpeg .webp  A bitmap. Its alpha channel shows the drawing if a pixel is at least
 ///         half transparent. Otherwise its background has to be plain (`remove_background`), or
 ///         `background` is none and the drawing is the whole page.
-///   .svg  A vector drawing, which becomes cubic curves (`read_svg`). Curves are cut into pieces, so
+///   .svg  A vector drawing, which becomes cubic curves (`read_svg`). Curves are cut into pieces,
+///   so
 ///         that long ones can bend.
 ///   .txt  A closed polygon with a corner `x y` on each line. # begins a comment.
 ///   .obj .off .ply .stl  A flat mesh, which becomes the rest shape.

@@ -9,6 +9,7 @@
 
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
+#include "geometry/core/text.h"
 #include "geometry/shape/formats/numbers.h"
 #include "geometry/shape/formats/turning.h"
 
@@ -52,8 +53,11 @@ std::string rewrite(const fs::path& source, const Shape& shape) {
         "a shape of {} vertices does not come from '{}', which has {}; write it without a source",
         shape.V.cols(), source.string(), file.shape.V.cols()));
   }
-  return formats::substitute(bytes, file.layout, shape.V, shape.N,
-                             formats::turn(bytes, file, shape.V));
+  std::string copy = formats::substitute(bytes, file.layout, shape.V, shape.N,
+                                         formats::turn(bytes, file, shape.V));
+  // Many programs take the mark for a part of the first word, and UTF-8 does not need it.
+  if (copy.starts_with(kByteOrderMark)) copy.erase(0, kByteOrderMark.size());
+  return copy;
 }
 
 /// The shape with the vertices of its source that have no position, which become NaN.
