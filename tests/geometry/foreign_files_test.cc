@@ -71,6 +71,7 @@ TEST(ForeignFiles, MarksAndLineEndsChangeNothing) {
         EXPECT_EQ(shape.V, plain.V) << name;
         EXPECT_EQ(shape.faces, plain.faces) << name;
         write_shape(place("out_" + name), shape, place(name));
+        EXPECT_FALSE(read_file(place("out_" + name)).starts_with("\xEF")) << name;
         EXPECT_THAT(notes_of(name, bytes), IsEmpty()) << name;
       }
     }
