@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/core/files.h"
 #include "tests/geometry/shape_files.h"
 
 namespace deformlab {
