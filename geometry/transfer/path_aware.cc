@@ -23,6 +23,7 @@ constexpr int kFewestStops = 2000;
 // Candidates of each vertex, as a multiple of the sources that are wanted: a source that is among
 // the nearest by the rule may come later in the order of paths.
 constexpr int kCandidates = 2;
+constexpr double kTiny = std::numeric_limits<double>::min();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::Matrix3Xi welded_triangles(const Shape& shape, const std::vector<int>& first) {
@@ -160,7 +161,9 @@ class PathAware {
     for (const Link& side : sides) squares += side.length * side.length;
     const double area =
         squares / static_cast<double>(sides.size()) * static_cast<double>(V_.cols());
-    const double cell = std::sqrt(area / static_cast<double>(wanted));
+    const double size = std::sqrt(area / static_cast<double>(wanted));
+    const double least = 1e-6 * bounding_box_diagonal(V_);  // numbers of cells stay small
+    const double cell = size > least ? size : std::max(least, kTiny);
     return coarse_stops(V_, sides, choose_stops(V_, sources, part_, first_, cell));
   }
 
