@@ -40,7 +40,8 @@ struct RunOptions {
           "weight} for a drawing");
     visit("cut", o.cut,
           "Parts of a shape that follow no common node: a list of {between: SELECTION, and: "
-          "SELECTION}; of a drawing, lines along which it is cut: a list of lists of points [x, y]");
+          "SELECTION}; of a drawing, lines along which it is cut: a list of lists of points [x, y] "
+          "[pixel]");
     visit.required("edit", o.edit, "A list of selections and what happens to them");
     visit("drag", o.drag, "The updates in which the handles go to their targets");
     visit("depth", o.depth, "Which of two parts of a drawing is in front where they overlap");

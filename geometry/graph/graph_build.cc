@@ -94,7 +94,7 @@ class Builder {
     VertexEmbedding embedded = timed(built_.seconds["embed"], [&] { return embed(placed); });
     built_.in_space = embedded.followed.empty();
     built_.graph = timed(built_.seconds["connect"], [&] { return join(placed, embedded); });
-    if (options_.fit) leave_out_idle_nodes(built_, embedded.embedding);
+    if (options_.fit && !placed.edges) leave_out_idle_nodes(built_, embedded.embedding);
     note(embedded);
     built_.embedding = std::move(embedded.embedding);
     return std::move(built_);

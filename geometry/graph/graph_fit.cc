@@ -56,7 +56,9 @@ Values kept(const Values& values, const std::vector<int>& indices) {
 }  // namespace
 
 int fitting_nodes(const Shape& shape, int most) {
-  const int vertices = static_cast<int>(shape.V.cols());
+  const std::vector<int> first = weld(shape.V);
+  int vertices = 0;  // at different positions
+  for (std::size_t i = 0; i < first.size(); ++i) vertices += first[i] == static_cast<int>(i);
   return std::min(most, std::max(std::min(vertices, kFewNodes), vertices / kVerticesPerNode));
 }
 

@@ -53,11 +53,14 @@ std::string rewrite(const fs::path& source, const Shape& shape) {
         "a shape of {} vertices does not come from '{}', which has {}; write it without a source",
         shape.V.cols(), source.string(), file.shape.V.cols()));
   }
-  std::string copy = formats::substitute(bytes, file.layout, shape.V, shape.N,
-                                         formats::turn(bytes, file, shape.V));
-  // Many programs take the mark for a part of the first word, and UTF-8 does not need it.
-  if (copy.starts_with(kByteOrderMark)) copy.erase(0, kByteOrderMark.size());
-  return copy;
+  return formats::substitute(bytes, file.layout, shape.V, shape.N,
+                             formats::turn(bytes, file, shape.V));
+}
+
+/// Many programs take a byte order mark for a part of the first word, and UTF-8 does not need it.
+std::string without_mark(std::string bytes) {
+  if (bytes.starts_with(kByteOrderMark)) bytes.erase(0, kByteOrderMark.size());
+  return bytes;
 }
 
 /// The shape with the vertices of its source that have no position, which become NaN.
@@ -107,7 +110,9 @@ void write_shape(const fs::path& out, const Shape& shape, const fs::path& source
   const Format& format = format_of(out, "write");
   check(shape, out.string());
   if (source.empty()) return write_file(out, format.print(shape));
-  if (&format_of(source, "read") == &format) return write_file(out, rewrite(source, shape));
+  if (&format_of(source, "read") == &format) {
+    return write_file(out, without_mark(rewrite(source, shape)));
+  }
   const bool has_facets_only = format.extension == ".stl";
   write_file(out, format.print(has_facets_only ? shape : with_missing(shape, source)));
 }

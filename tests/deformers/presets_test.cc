@@ -63,8 +63,8 @@ struct Twist {
       if (shape.V(2, i) > 1.89) handles.moved.push_back(i);
     }
     const double angle = degrees * std::numbers::pi / 180;
-    targets = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) *
-              shape.V(Eigen::all, handles.moved).eval();
+    targets = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+              shape.V(Eigen::all, handles.moved);
     handles.groups.assign(handles.moved.size(), 0);
     if (!says_so) return;
     handles.rotations = Eigen::Vector3d(0, 0, angle).replicate(1, targets.cols());

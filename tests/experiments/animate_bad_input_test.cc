@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
                      {"direction", "zero"}},
         BadAnimation{"AnotherMethod", {"deformer=rbf"}, {"deformer is rbf", "takes no animation"}},
         BadAnimation{"AParticlesPath", {"path=3"}, {"'path' is the id of a particle"}},
-        BadAnimation{"TooManyNodes", {"--nodes", "200"}, {"200", "120"}},
+        BadAnimation{"TooManyNodes", {"--nodes", "200", "graph.fit=false"}, {"200", "120"}},
         BadAnimation{"ANodeBesideTheShape",
                      {"graph.method=file", "graph.file=graph.obj"},
                      {"node 1 of the graph is", "sit on vertices"},

@@ -252,7 +252,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(DeformCommand, NamesManyFreeComponentsInFewLines) {
   put("in.off", plane_off());
-  const Ending ending = deform("in.off", "edit:\n" + std::string(kTwo), {"--nodes", "300"});
+  const Ending ending =
+      deform("in.off", "edit:\n" + std::string(kTwo), {"--nodes", "300", "preset=sumner_2007"});
   EXPECT_LT(std::ranges::count(ending.err, '\n'), 12) << ending.err;
   EXPECT_THAT(ending.err,
               HasSubstr("components without a handle that stay where they are, besides these: 32"));

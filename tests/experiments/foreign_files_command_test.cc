@@ -23,7 +23,9 @@ class ForeignFiles : public Program {
   }
 
   std::string obj() const {
-    write_shape(place("plain.obj"), bumpy_plane(9));
+    Shape plane = bumpy_plane(9);
+    plane.N.resize(3, 0);
+    write_shape(place("plain.obj"), plane);
     return get("plain.obj");
   }
 };
@@ -77,6 +79,7 @@ TEST_F(ForeignFiles, NormalsOfCornersTurnWithTheShape) {
 TEST_F(ForeignFiles, AnInputThatIsNotReadIsNamedRatherThanTheOutput) {
   put("in.gltf", "{}");
   put("in.svgz", "x");
+  put("edit.yaml", "edit:\n  - {select: {all: true}, fix: true}\n");
   for (const std::string extension : {".gltf", ".svgz"}) {
     const Ending ending = deform("in" + extension, "out" + extension);
     EXPECT_EQ(ending.status, 2) << ending.err;

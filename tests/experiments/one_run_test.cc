@@ -136,7 +136,7 @@ TEST_F(OneRun, RefusesKeysThatMeanNothing) {
   expect_refused(particles({"paint=[]"}), {"'paint' means nothing for particles"});
   expect_refused(shape({"shape.vertices=200"}), {"'shape' means nothing for a shape"});
   expect_refused(shape({"depth.front=left"}), {"'depth' means nothing for a shape"});
-  expect_refused(drawing({"cut=[]"}), {"'cut' means nothing for a drawing"});
+  expect_refused(drawing({"shape.vertices=9"}), {"'shape' means nothing for a drawing"});
   expect_refused(frames({"drag.steps=2"}), {"'drag' means nothing for a mesh animation"});
   expect_refused(particles({"cut=[]"}), {"'cut' means nothing for particles"});
   expect_refused(shape({"shape.file=plane.off"}), {"already names the file"});
