@@ -50,8 +50,9 @@ AnimatedDeformation::AnimatedDeformation(const Shape& pose,
 // The graph may depend on the handles.
 void AnimatedDeformation::find_node_vertices() {
   const Eigen::Matrix3Xd& g = deformation_.graph().g;
-  const bool known = g.cols() == std::ssize(deformation_.node_vertices());
-  node_vertices_ = known ? deformation_.node_vertices() : vertices_at(g, pose_.V);
+  node_vertices_ = vertices_at(g, pose_.V);  // throws for a node beside the shape
+  const std::vector<int>& known = deformation_.node_vertices();
+  if (g.cols() == std::ssize(known)) node_vertices_ = known;
 }
 
 void AnimatedDeformation::compile(const Handles& handles) {

@@ -90,7 +90,9 @@ Mask active_vertices(const Shape& shape, const Mask& free, int m) {
     if (!any_of(face, free)) continue;
     for (const int i : face) active[i] = 1;
   }
-  const double spacing = std::sqrt(moving_area(shape, free) / m);
+  const double moving = moving_area(shape, free);
+  const double area = moving > 0 ? moving : std::pow(bounding_box_diagonal(shape.V), 2);
+  const double spacing = std::sqrt(area / m);
   // A cell must not be so small that its number has no room.
   const double cell = std::max(kCell * spacing, 1e-9 * bounding_box_diagonal(shape.V));
   if (!(cell > 0)) return active;
