@@ -233,7 +233,7 @@ std::string two_planes() {
 INSTANTIATE_TEST_SUITE_P(
     Of, Oddity,
     ::testing::Values(
-        Odd{"FewerNodesThanNeighbors", plane_off(), kTwo, "fewer than neighbors + 1", 3},
+        Odd{"FewerNodesThanNeighbors", plane_off(), kOne, "fewer than neighbors + 1", 3},
         Odd{"ASingleNode", plane_off(), kOne, "fewer than neighbors + 1", 1},
         Odd{"MoreNodesThanVertices", plane_off(3), kTwo, "30 nodes for 9 vertices", 30},
         Odd{"ASingleHandle", plane_off(), kOne, "at one point only", 10},
