@@ -19,7 +19,9 @@ constexpr double kLonger = 5, kLongerThanMean = 3;
 constexpr double kMostOfMesh = 0.05, kMostOfPoints = 0.5;
 
 std::vector<std::vector<int>> sorted_faces(std::vector<std::vector<int>> faces) {
-  for (std::vector<int>& face : faces) std::ranges::rotate(face, std::ranges::min_element(face));
+  for (std::vector<int>& face : faces) {
+    std::rotate(face.begin(), std::ranges::min_element(face), face.end());
+  }
   std::ranges::sort(faces);
   return faces;
 }
