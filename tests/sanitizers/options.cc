@@ -6,5 +6,10 @@ const char* __asan_default_options();
 const char* __asan_default_options() { return "detect_stack_use_after_return=1"; }
 const char* __ubsan_default_options();
 const char* __ubsan_default_options() { return "print_stacktrace=1"; }
+// These libraries keep fonts and surfaces until the process ends.
+const char* __lsan_default_suppressions();
+const char* __lsan_default_suppressions() {
+  return "leak:libfontconfig\nleak:libcairo\nleak:libpango\nleak:librsvg\n";
+}
 }
 // NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)

@@ -56,7 +56,7 @@ void StreamEditor::solve(const Eigen::Matrix3Xd& offsets, const Eigen::Matrix3Xd
 Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
   const Eigen::Matrix3Xd offsets = motion_.offsets(frame);
   const Eigen::Matrix3Xd rotations = motion_.rotations(frame);
-  const bool is_new = offsets != offsets_ || !is_same(rotations, rotations_);
+  const bool is_new = !is_same(offsets, offsets_) || !is_same(rotations, rotations_);
   if (solves_ == 0 || is_new) solve(offsets, rotations);
   seconds_ = {};
   Embedding particles;
