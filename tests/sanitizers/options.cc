@@ -1,5 +1,5 @@
-// The options of the sanitizers, for every test. In an environment variable they would be lost:
-// gtest_discover_tests passes on only the first variable of a list.
+// The options of the sanitizers, for every test and for the program. In an environment variable
+// they would be lost: gtest_discover_tests passes on only the first variable of a list.
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" {
 const char* __asan_default_options();
@@ -7,6 +7,8 @@ const char* __asan_default_options() { return "detect_stack_use_after_return=1";
 const char* __ubsan_default_options();
 const char* __ubsan_default_options() { return "print_stacktrace=1"; }
 // These libraries keep fonts and surfaces until the process ends.
+const char* __lsan_default_options();
+const char* __lsan_default_options() { return "print_suppressions=0"; }
 const char* __lsan_default_suppressions();
 const char* __lsan_default_suppressions() {
   return "leak:libfontconfig\nleak:libcairo\nleak:libpango\nleak:librsvg\n";
