@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
+#include "deformers/embedded/handle_groups.h"
 #include "deformers/embedded/node_states.h"
 
 namespace deformlab {
@@ -45,14 +45,6 @@ std::optional<Eigen::Matrix3d> fitted_rotation(const Eigen::Matrix3Xd& p,
 bool is_same_motion(const Eigen::Matrix3d& R, const Eigen::Vector3d& asked) {
   return asked.allFinite() &&
          Eigen::AngleAxisd(R.transpose() * rotation_of(asked)).angle() < kAgrees;
-}
-
-std::map<int, std::vector<int>> members(std::span<const int> groups) {
-  std::map<int, std::vector<int>> result;
-  for (std::size_t l = 0; l < groups.size(); ++l) {
-    result[groups[l]].push_back(static_cast<int>(l));
-  }
-  return result;
 }
 
 // The free nodes of a linear problem, numbered.
@@ -211,7 +203,7 @@ Eigen::Matrix3Xd handle_rotations(const Eigen::Matrix3Xd& v, const Eigen::Matrix
                                   const Eigen::Matrix3Xd& asked, std::span<const int> groups) {
   Eigen::Matrix3Xd result =
       asked.cols() == v.cols() ? asked : Eigen::Matrix3Xd::Constant(3, v.cols(), kNaN);
-  for (const auto& [group, handles] : members(groups)) {
+  for (const std::vector<int>& handles : handle_groups(v.cols(), groups)) {
     const auto R = fitted_rotation(v(Eigen::all, handles), q(Eigen::all, handles));
     if (!R) continue;
     for (const int l : handles) {

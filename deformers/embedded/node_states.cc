@@ -1,6 +1,7 @@
 #include "deformers/embedded/node_states.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "energies/graph/nodes.h"
@@ -51,6 +52,14 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R) {
   Eigen::Matrix3d U = svd.matrixU();
   if ((U * svd.matrixV().transpose()).determinant() < 0) U.col(2) = -U.col(2);
   return U * svd.matrixV().transpose();
+}
+
+int count_inside_out(const Transformations& X) {
+  int count = 0;
+  for (Eigen::Index j = 0; j < X.cols() / 4; ++j) {
+    count += X.middleCols<3>(4 * j).determinant() < 0;
+  }
+  return count;
 }
 
 }  // namespace deformlab

@@ -22,4 +22,7 @@ void set_transformations(const Transformations& X, NodeModel model, double unit,
 /// The rotation that is nearest to R.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R);
 
+/// How many of the transformations (3×4m) turn space inside out: det R < 0.
+int count_inside_out(const Transformations& X);
+
 }  // namespace deformlab

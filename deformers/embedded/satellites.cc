@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <cmath>
-#include <map>
+
+#include "deformers/embedded/handle_groups.h"
 
 namespace deformlab {
 namespace {
@@ -24,15 +25,6 @@ bool spans_a_plane(const Eigen::Matrix3Xd& points) {
   return s[1] > kFlat * kFlat * s[0];
 }
 
-// Handles of no group are groups of their own.
-std::vector<std::vector<int>> members(Eigen::Index handles, std::span<const int> groups) {
-  std::map<int, std::vector<int>> by_number;
-  for (int l = 0; l < handles; ++l) by_number[groups.empty() ? l : groups[l]].push_back(l);
-  std::vector<std::vector<int>> result;
-  for (auto& [number, its_handles] : by_number) result.push_back(std::move(its_handles));
-  return result;
-}
-
 }  // namespace
 
 Eigen::Matrix3Xd Satellites::places(const Eigen::Matrix3Xd& of_handles) const {
@@ -47,7 +39,7 @@ Satellites make_satellites(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& ro
                            std::span<const int> groups, double radius) {
   Satellites result;
   if (rotations.cols() == 0) return result;
-  for (const std::vector<int>& group : members(v.cols(), groups)) {
+  for (const std::vector<int>& group : handle_groups(v.cols(), groups)) {
     if (spans_a_plane(v(Eigen::all, group))) continue;
     for (const int l : group) {
       if (rotations.col(l).allFinite()) result.handles.insert(result.handles.end(), 4, l);

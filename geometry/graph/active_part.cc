@@ -8,6 +8,8 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "geometry/graph/loose_vertices.h"
+
 namespace deformlab {
 namespace {
 
@@ -22,9 +24,7 @@ bool any_of(const std::vector<int>& face, const Mask& mask) {
 // The area of the faces that move, and for points without faces the square of their extent.
 double moving_area(const Shape& shape, const Mask& free) {
   double area = 0;
-  Mask has_face(free.size(), 0);
   for (const auto& face : shape.faces) {
-    for (const int i : face) has_face[i] = 1;
     if (!any_of(face, free)) continue;
     for (std::size_t c = 1; c + 1 < face.size(); ++c) {
       const Eigen::Vector3d u = shape.V.col(face[c]) - shape.V.col(face[0]);
@@ -32,10 +32,8 @@ double moving_area(const Shape& shape, const Mask& free) {
       area += u.cross(v).norm() / 2;
     }
   }
-  std::vector<int> loose;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    if (free[i] && !has_face[i]) loose.push_back(static_cast<int>(i));
-  }
+  std::vector<int> loose = loose_vertices(shape);
+  std::erase_if(loose, [&](int i) { return !free[i]; });
   if (loose.size() < 2) return area;
   return area + std::pow(bounding_box_diagonal(shape.V(Eigen::all, loose)), 2);
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "geometry/graph/deformation_graph.h"
+#include "geometry/graph/loose_vertices.h"
 
 namespace deformlab {
 namespace {
@@ -90,14 +91,7 @@ Dense own_points(const Shape& shape) {
 
 // Adds the vertices that have no face.
 void add_loose_points(const Shape& shape, Dense& dense) {
-  std::vector<char> has_face(shape.V.cols(), 0);
-  for (const auto& face : shape.faces) {
-    for (const int i : face) has_face[i] = 1;
-  }
-  std::vector<int> loose;
-  for (std::size_t i = 0; i < has_face.size(); ++i) {
-    if (!has_face[i]) loose.push_back(static_cast<int>(i));
-  }
+  const std::vector<int> loose = loose_vertices(shape);
   const Eigen::Index before = dense.points.cols();
   dense.points.conservativeResize(3, before + std::ssize(loose));
   dense.points.rightCols(std::ssize(loose)) = shape.V(Eigen::all, loose);
