@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace deformlab {
 std::shared_ptr<const ceres::LossFunction> make_loss(const LossOptions& options) {
@@ -26,8 +27,9 @@ double squared_sum(const Eigen::MatrixXd& r, const ceres::LossFunction* loss) {
   double total = 0;
   std::array<double, 3> rho;  // ρ, ρ′, ρ″
   for (Eigen::Index e = 0; e < r.cols(); ++e) {
-    loss->Evaluate(r.col(e).squaredNorm(), rho.data());
-    total += rho[0];
+    const double s = r.col(e).squaredNorm();
+    loss->Evaluate(s, rho.data());
+    total += std::isfinite(s) ? rho[0] : s;  // Tukey's loss takes NaN for a far outlier
   }
   return total;
 }

@@ -82,6 +82,23 @@ void check_compiled(const Problem& problem, const std::vector<int>* first, std::
       first->back()));
 }
 
+const Energy* not_finite_term(const Problem& problem, const Unknowns& x) {
+  for (const WeightedEnergy& term : problem.terms) {
+    const Energy& energy = *term.energy;
+    Eigen::MatrixXd r(energy.rows(), energy.size());
+    Eigen::MatrixXd J(energy.rows(), Eigen::Index(energy.jacobian_columns()) * energy.size());
+    energy.residuals(x, r.data());
+    energy.jacobians(x, J.data());
+    if (!r.allFinite() || !J.allFinite()) return &energy;
+  }
+  return nullptr;
+}
+
+std::string not_finite_message(const Energy& term) {
+  return fmt::format("; there the term '{}' has a residual or a derivative that is not finite",
+                     term.name());
+}
+
 std::vector<double> cost_by_term(const Problem& problem, const Unknowns& x) {
   std::vector<double> costs;
   for (const WeightedEnergy& term : problem.terms) {

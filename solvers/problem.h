@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "energies/energy.h"
@@ -30,6 +31,11 @@ struct Problem {
 /// negative weight, that reads nodes or columns which the problem does not have, that has another
 /// dimension than the problem, or that does not have the structure it declares.
 void check(const Problem& problem);
+
+/// The first term whose residuals or derivatives at x are not all finite; null if all are.
+const Energy* not_finite_term(const Problem& problem, const Unknowns& x);
+/// The end of a message that says so.
+std::string not_finite_message(const Energy& term);
 
 /// The cost of each term at x, in the order of the problem.
 std::vector<double> cost_by_term(const Problem& problem, const Unknowns& x);

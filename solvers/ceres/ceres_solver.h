@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "solvers/ceres/trouble.h"
 #include "solvers/solver.h"
 
 namespace deformlab {
@@ -27,6 +28,7 @@ class CeresSolver final : public Solver {
   void add(const WeightedEnergy& term, bool by_column);
 
   SolverOptions options_;
+  Trouble trouble_;
   std::vector<std::unique_ptr<ceres::LossFunction>> losses_;  // the problem refers to them
   std::unique_ptr<ceres::Problem> problem_;
   Unknowns x_;             // the problem's parameter blocks are here

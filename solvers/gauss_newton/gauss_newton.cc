@@ -37,7 +37,9 @@ void GaussNewton::start(Problem& problem) {
 }
 
 std::pair<Status, std::string> GaussNewton::run() {
-  if (!std::isfinite(iterate_->cost())) return {Status::kFailed, "F is not finite at the start"};
+  if (!iterate_->finite()) {
+    return {Status::kFailed, "F or its derivative is not finite at the start"};
+  }
   if (linearization_->unknowns() == 0) return {Status::kConverged, "every node is fixed"};
   for (int i = 0; i < options_.max_iterations; ++i) {
     Iteration step;
@@ -48,12 +50,14 @@ std::pair<Status, std::string> GaussNewton::run() {
       case Outcome::kUphill:
         return {Status::kStalled, "no step along the search direction lowers F"};
       case Outcome::kNotFinite:
-        return {Status::kFailed, "a step makes F infinite: try another solver.globalization"};
+        return {Status::kFailed, "F is not finite after a step: try another solver.globalization"};
       case Outcome::kSingular:
         return {Status::kFailed, "JᵀJ cannot be factorized, however damped"};
     }
     const double previous = iterate_->cost();
-    iterate_->accept();
+    if (!iterate_->accept()) {
+      return {Status::kFailed, "F or its derivative is not finite after a step"};
+    }
     step.cost = iterate_->cost();
     step.gradient_max = 2 * iterate_->gradient().lpNorm<Eigen::Infinity>();
     step.step_max = step.step_scale * iterate_->delta().lpNorm<Eigen::Infinity>();
@@ -64,6 +68,14 @@ std::pair<Status, std::string> GaussNewton::run() {
     }
   }
   return {Status::kMaxIterations, "Eq. 12 does not hold after solver.max_iterations steps"};
+}
+
+// Says which term made a solve end, if F or its derivative was not finite where it ended.
+std::string GaussNewton::culprit(const Problem& problem, Status status) const {
+  if (status != Status::kFailed && status != Status::kStalled) return "";
+  const Energy* term = not_finite_term(problem, problem.x);
+  if (term == nullptr) term = not_finite_term(problem, iterate_->trial());
+  return term == nullptr ? "" : not_finite_message(*term);
 }
 
 Summary GaussNewton::finish(const Problem& problem, Status status, std::string message) {
@@ -101,6 +113,7 @@ Summary GaussNewton::solve(Problem& problem) {
     outcome = run();
   }
   summary_.seconds["total"] = total;
+  outcome.second += culprit(problem, outcome.first);
   return finish(problem, outcome.first, std::move(outcome.second));
 }
 

@@ -27,6 +27,7 @@ class GaussNewton final : public Solver {
  private:
   void start(Problem& problem);
   std::pair<Status, std::string> run();
+  std::string culprit(const Problem& problem, Status status) const;
   Summary finish(const Problem& problem, Status status, std::string message);
 
   SolverOptions options_;

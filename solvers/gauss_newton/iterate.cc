@@ -28,15 +28,22 @@ void Iterate::start(Problem& problem, Summary& summary) {
   cost_ = linearization_.evaluate(problem.x);
   if (!std::isfinite(cost_)) return;
   linearization_.linearize(problem.x);
-  steps_.update(linearization_);
+  if (finite()) steps_.update(linearization_);
 }
 
-void Iterate::accept() {
+bool Iterate::accept() {
   Stopwatch watch(summary_->seconds["linearize"]);
   std::swap(x_->X, trial_.X);
   cost_ = linearization_.linearize_step(*x_);
+  if (!finite()) {
+    std::swap(x_->X, trial_.X);
+    return false;
+  }
   steps_.update(linearization_);
+  return true;
 }
+
+bool Iterate::finite() const { return std::isfinite(cost_) && gradient().allFinite(); }
 
 double Iterate::rounding() const { return kRounding * (1 + cost_); }
 
@@ -87,7 +94,7 @@ double Iterate::try_step(double scale) {
 
 bool Iterate::compute_geodesic_correction(Eigen::VectorXd& c) {
   linearization_.second_order(*x_, delta_, second_order_);
-  return count(steps_.geodesic_correction(linearization_, second_order_, c));
+  return count(steps_.geodesic_correction(linearization_, second_order_, c)) && c.allFinite();
 }
 
 }  // namespace deformlab

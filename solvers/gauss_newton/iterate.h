@@ -15,8 +15,13 @@ class Iterate {
 
   /// Starts a solve at problem.x. The summary counts the work.
   void start(Problem& problem, Summary& summary);
-  /// Makes the last trial point the new x and linearizes there.
-  void accept();
+  /// Makes the last trial point the new x and linearizes there. Returns false, and goes back to the
+  /// old x, if F or its gradient is not finite there.
+  bool accept();
+  /// Whether F and its gradient are finite at x.
+  bool finite() const;
+  /// The last point that was tried.
+  const Unknowns& trial() const { return trial_; }
 
   double cost() const { return cost_; }  ///< F at x
   /// Jᵀr at x, half of ∇F, n.

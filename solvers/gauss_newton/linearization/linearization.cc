@@ -139,8 +139,8 @@ void Linearization::step(const Unknowns& x, const Eigen::VectorXd& delta, double
 
 double Linearization::evaluate_step(const Unknowns& to, double scale) {
   scale_ = scale;
-  trial_kronecker_cost_ =
-      std::max(0.0, kronecker_cost_ + scale * (2 * slope_ + scale * curvature_));
+  const double quadratic = kronecker_cost_ + scale * (2 * slope_ + scale * curvature_);
+  trial_kronecker_cost_ = quadratic < 0 ? 0 : quadratic;  // NaN stays NaN
   trial_other_cost_ = evaluate_others(to);
   return trial_kronecker_cost_ + trial_other_cost_;
 }
