@@ -8,7 +8,7 @@
 #include "experiments/measure/drag.h"
 #include "geometry/core/error.h"
 #include "geometry/core/median.h"
-#include "geometry/transfer/weld.h"
+#include "geometry/shape/weld.h"
 
 namespace deformlab {
 namespace {

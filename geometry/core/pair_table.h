@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/core/hash.h"
+
 namespace deformlab {
 
 /// A hash table from unordered pairs of triangles to numbers. Open addressing makes it fast,
@@ -41,9 +43,7 @@ class PairTable {
   }
   // The slot of the key, or the free one where it belongs. At least half of the 2ⁿ slots are free.
   std::size_t place(std::uint64_t of) const {
-    std::uint64_t mixed = of * 0x9E3779B97F4A7C15;
-    mixed ^= mixed >> 32;
-    for (std::size_t i = mixed;; ++i) {
+    for (std::size_t i = mixed(0, of);; ++i) {
       const std::size_t at = i & (slots_.size() - 1);
       if (slots_[at].number == kNone || slots_[at].key == of) return at;
     }

@@ -30,7 +30,9 @@ std::optional<Real> to_real(std::string_view word) {
 
 }  // namespace
 
-Lines::Lines(std::string_view bytes, bool continued) : bytes_(bytes), continued_(continued) {
+// Hardly any file joins lines, and one look at it saves a look at each of them.
+Lines::Lines(std::string_view bytes, bool continued)
+    : bytes_(bytes), continued_(continued && bytes.find('\\') != std::string_view::npos) {
   if (bytes.starts_with(kByteOrderMark)) end_ = kByteOrderMark.size();
   line_feed_ = std::min(bytes.find('\n'), bytes.size());
   return_ = std::min(bytes.find('\r'), bytes.size());

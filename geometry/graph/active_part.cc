@@ -8,6 +8,7 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "geometry/core/hash.h"
 #include "geometry/graph/loose_vertices.h"
 
 namespace deformlab {
@@ -64,10 +65,7 @@ class Cells {
   }
   static std::uint64_t key(const Place& p) {
     std::uint64_t key = 0;
-    for (const std::int64_t x : p) {
-      key = (key ^ static_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15;
-      key ^= key >> 32;
-    }
+    for (const std::int64_t x : p) key = mixed(key, static_cast<std::uint64_t>(x));
     return key;
   }
   void mark_around(const Place& p) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/core/disjoint_sets.h"
+#include "geometry/core/hash.h"
 
 namespace deformlab {
 namespace {
@@ -40,9 +41,8 @@ class Overlaps {
 
   int& slot(int j, int k) {
     const std::size_t mask = table_.size() - 1;
-    std::uint64_t h = (std::uint64_t(std::uint32_t(j)) << 32 | std::uint32_t(k));
-    h *= 0x9e3779b97f4a7c15;
-    std::size_t at = (h ^ (h >> 32)) & mask;
+    const std::uint64_t pair = std::uint64_t(std::uint32_t(j)) << 32 | std::uint32_t(k);
+    std::size_t at = mixed(0, pair) & mask;
     while (table_[at] >= 0 && (pairs_[table_[at]].j != j || pairs_[table_[at]].k != k)) {
       at = (at + 1) & mask;
     }

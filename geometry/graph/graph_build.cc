@@ -49,8 +49,9 @@ void check_file(const GraphOptions& options) {
   }
 }
 
-Placed place(const Shape& shape, const GraphOptions& options) {
-  const int m = options.fit ? fitting_nodes(shape, options.nodes) : options.nodes;
+Placed place(const WeldedSurface& surface, const GraphOptions& options) {
+  const Shape& shape = surface.shape();
+  const int m = options.fit ? fitting_nodes(surface, options.nodes) : options.nodes;
   const auto at = [&](const std::vector<int>& vertices) {
     return Placed{shape.V(Eigen::all, vertices), vertices};
   };
@@ -87,8 +88,8 @@ std::vector<GraphEdge> weighed(std::vector<GraphEdge> by_hand,
 
 class Builder {
  public:
-  Builder(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts)
-      : shape_(shape), options_(options), cuts_(cuts) {}
+  Builder(const WeldedSurface& surface, const GraphOptions& options, std::span<const Cut> cuts)
+      : surface_(surface), shape_(surface.shape()), options_(options), cuts_(cuts) {}
 
   BuiltGraph run(const Placed& placed) {
     VertexEmbedding embedded = timed(built_.seconds["embed"], [&] { return embed(placed); });
@@ -108,7 +109,7 @@ class Builder {
       built_.node_vertices = nearest_vertices(placed.g, shape_.V);
     }
     groups_ = group(shape_.V.cols(), built_.node_vertices, cuts_);
-    return embed_vertices(shape_, placed.g, built_.node_vertices, groups_, options_);
+    return embed_vertices(surface_, placed.g, built_.node_vertices, groups_, options_);
   }
 
   DeformationGraph join(const Placed& placed, const VertexEmbedding& embedded) {
@@ -116,7 +117,7 @@ class Builder {
         connect(placed.g, embedded.embedding, options_.alpha, embedded.followed);
     if (placed.edges) take(*placed.edges, graph);
     const bool joined =
-        options_.fit && !placed.edges && join_along_surface(shape_, embedded.embedding, graph);
+        options_.fit && !placed.edges && join_along_surface(surface_, embedded.embedding, graph);
     if (!cuts_.empty()) cut(graph);
     if (joined && options_.alpha == EdgeWeights::kLength) weigh_by_length(graph);
     const bool changed = placed.edges || !cuts_.empty() || joined;
@@ -182,6 +183,7 @@ class Builder {
     }
   }
 
+  const WeldedSurface& surface_;
   const Shape& shape_;
   const GraphOptions& options_;
   std::span<const Cut> cuts_;
@@ -190,9 +192,10 @@ class Builder {
 };
 
 BuiltGraph build_whole(const Shape& shape, const GraphOptions& options, std::span<const Cut> cuts) {
+  const WeldedSurface surface(shape);
   double seconds = 0;
-  const Placed placed = timed(seconds, [&] { return place(shape, options); });
-  BuiltGraph built = Builder(shape, options, cuts).run(placed);
+  const Placed placed = timed(seconds, [&] { return place(surface, options); });
+  BuiltGraph built = Builder(surface, options, cuts).run(placed);
   built.seconds["sample"] = seconds;
   return built;
 }
@@ -226,13 +229,14 @@ BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
   check_options(options);
   check(shape, "the shape");
   if (nodes.cols() > 0) check(Shape{nodes, {}, {}}, "the nodes");
-  return Builder(shape, options, cuts).run({nodes});
+  return Builder(WeldedSurface(shape), options, cuts).run({nodes});
 }
 
 BuiltGraph build_graph(const Shape& shape, DeformationGraph graph, const GraphOptions& options,
                        std::span<const Cut> cuts) {
   check_options(options);
-  return Builder(shape, options, cuts).run({std::move(graph.g), {}, std::move(graph.edges)});
+  return Builder(WeldedSurface(shape), options, cuts)
+      .run({std::move(graph.g), {}, std::move(graph.edges)});
 }
 
 }  // namespace deformlab

@@ -4,19 +4,18 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/transfer/weld.h"
-
 namespace deformlab {
 namespace {
 
 constexpr int kFewNodes = 50;
 constexpr int kVerticesPerNode = 4;
 
-std::vector<std::pair<int, int>> pairs_along(const Shape& shape, const Embedding& embedding) {
-  const std::vector<int> first = weld(shape.V);
+std::vector<std::pair<int, int>> pairs_along(const WeldedSurface& surface,
+                                             const Embedding& embedding) {
+  const std::vector<int>& first = surface.first();
   std::vector<std::pair<int, int>> pairs;
   std::pair<int, int> last;
-  for (const auto& face : shape.faces) {
+  for (const auto& face : surface.shape().faces) {
     for (std::size_t c = 0; c < face.size(); ++c) {
       const int one = embedding.nodes(0, first[face[c]]);
       const int other = embedding.nodes(0, first[face[(c + 1) % face.size()]]);
@@ -55,21 +54,20 @@ Values kept(const Values& values, const std::vector<int>& indices) {
 
 }  // namespace
 
-int fitting_nodes(const Shape& shape, int most) {
-  const std::vector<int> first = weld(shape.V);
-  int vertices = 0;  // at different positions
-  for (std::size_t i = 0; i < first.size(); ++i) vertices += first[i] == static_cast<int>(i);
-  return std::min(most, std::max(std::min(vertices, kFewNodes), vertices / kVerticesPerNode));
+int fitting_nodes(const WeldedSurface& surface, int most) {
+  const int places = surface.places();
+  return std::min(most, std::max(std::min(places, kFewNodes), places / kVerticesPerNode));
 }
 
-bool join_along_surface(const Shape& shape, const Embedding& embedding, DeformationGraph& graph) {
+bool join_along_surface(const WeldedSurface& surface, const Embedding& embedding,
+                        DeformationGraph& graph) {
   double least = 1;
   for (const GraphEdge& edge : graph.edges) least = std::min(least, edge.alpha);
   const auto is_before = [](const GraphEdge& a, const GraphEdge& b) {
     return std::pair(a.j, a.k) < std::pair(b.j, b.k);
   };
   std::vector<GraphEdge> added;
-  for (const auto& [j, k] : pairs_along(shape, embedding)) {
+  for (const auto& [j, k] : pairs_along(surface, embedding)) {
     const GraphEdge edge{j, k, least};
     if (!std::ranges::binary_search(graph.edges, edge, is_before)) added.push_back(edge);
   }

@@ -1,13 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 #include <tuple>
+#include <utility>
 
 #include "geometry/transfer/surface_roads.h"
 
 namespace deformlab {
 namespace {
+
+constexpr double kGroup = 0.5;  // the most by which lengths of a group of paths differ, in roads
 
 // A side of a triangle and the corner opposite to it.
 struct Side {
@@ -55,16 +57,68 @@ void append_across(const Eigen::Matrix3Xd& V, const Side& one, const Side& other
 struct Arrival {
   double distance;
   int source, vertex;
-  friend auto operator<=>(const Arrival&, const Arrival&) = default;
 };
 
-bool is_full(const NearestSources& nearest, int vertex) {
-  return nearest.found[vertex] == nearest.sources.rows();
+// The paths that wait, in groups of nearly the same length, the shortest first.
+class Waiting {
+ public:
+  /// `width` is the difference of lengths that a group may have.
+  explicit Waiting(double width) : width_(width) {}
+
+  // No path is shorter than those of the group that was taken last.
+  void add(const Arrival& path) {
+    const double number = std::min(path.distance / width_, kMostGroups);
+    const std::size_t group = std::max(now_, number > 0 ? static_cast<std::size_t>(number) : 0);
+    if (group >= groups_.size()) groups_.resize(std::max(group + 1, 2 * groups_.size()));
+    groups_[group].push_back(path);
+  }
+  // The next group, or nothing at the end. What is added to it later is another group.
+  std::vector<Arrival> take() {
+    while (now_ < groups_.size() && groups_[now_].empty()) ++now_;
+    return now_ < groups_.size() ? std::exchange(groups_[now_], {}) : std::vector<Arrival>();
+  }
+
+ private:
+  static constexpr double kMostGroups = 1 << 20;
+
+  const double width_;
+  std::size_t now_ = 0;
+  std::vector<std::vector<Arrival>> groups_;
+};
+
+// Enters a path from a source to a vertex. Returns whether it is among the nearest that are known.
+bool improve(NearestSources& nearest, const Arrival& path) {
+  const auto [distance, source, vertex] = path;
+  auto sources = nearest.sources.col(vertex);
+  auto distances = nearest.distances.col(vertex);
+  int& found = nearest.found[vertex];
+  const auto is_before = [&](int a) {
+    return std::pair(distances[a], sources[a]) < std::pair(distance, source);
+  };
+  const int count = static_cast<int>(distances.size());
+  if (found == count && is_before(count - 1)) return false;
+  int old = 0;  // where the source stands
+  while (old < found && sources[old] != source) ++old;
+  if (old < found && distances[old] <= distance) return false;
+  if (old == found) found = std::min(found + 1, count);
+  int at = std::min(old, found - 1);
+  for (; at > 0 && !is_before(at - 1); --at) {
+    distances[at] = distances[at - 1];
+    sources[at] = sources[at - 1];
+  }
+  distances[at] = distance;
+  sources[at] = source;
+  return true;
 }
 
-bool has(const NearestSources& nearest, int vertex, int source) {
-  const auto known = nearest.sources.col(vertex).head(nearest.found[vertex]);
-  return std::find(known.begin(), known.end(), source) != known.end();
+// Whether a path is still the shortest that is known from its source, and among the nearest.
+bool holds(const NearestSources& nearest, const Arrival& path) {
+  for (int a = 0; a < nearest.found[path.vertex]; ++a) {
+    if (nearest.sources(a, path.vertex) == path.source) {
+      return nearest.distances(a, path.vertex) == path.distance;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -94,22 +148,34 @@ Roads::Roads(Eigen::Index vertices, const std::vector<Link>& links) : first_(ver
   }
 }
 
+double Roads::mean_length() const {
+  double sum = 0;
+  for (const Road& road : roads_) sum += road.length;
+  return sum > 0 ? sum / static_cast<double>(roads_.size()) : 1;
+}
+
 // A path is continued from a vertex only if its source is among the nearest there. Where enough
-// other sources are nearer, they are also nearer at all vertices that the path would reach.
+// other sources are nearer, they are also nearer at all vertices that the path would reach. Paths
+// of about the same length are continued in the order of their vertices, which are mostly near each
+// other in memory then. Some are continued before a shorter one is known, which then replaces them.
 NearestSources nearest_by_roads(const Roads& roads, std::span<const int> sources, int count) {
   NearestSources nearest(count, roads.vertices());
-  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue;
+  Waiting waiting(kGroup * roads.mean_length());
+  const auto enter = [&](const Arrival& path) {
+    if (improve(nearest, path)) waiting.add(path);
+  };
   for (std::size_t s = 0; s < sources.size(); ++s) {
-    queue.push({0, static_cast<int>(s), sources[s]});
+    enter({0, static_cast<int>(s), sources[s]});
   }
-  while (!queue.empty()) {
-    const auto [distance, source, vertex] = queue.top();
-    queue.pop();
-    if (is_full(nearest, vertex) || has(nearest, vertex, source)) continue;
-    nearest.insert(vertex, source, distance);
-    for (const auto& [to, length] : roads.from(vertex)) {
-      if (is_full(nearest, to) || has(nearest, to, source)) continue;
-      queue.push({distance + length, source, to});
+  for (auto group = waiting.take(); !group.empty(); group = waiting.take()) {
+    std::ranges::sort(group, {}, [](const Arrival& path) {
+      return std::tuple(path.vertex, path.distance, path.source);
+    });
+    for (const Arrival& path : group) {
+      if (!holds(nearest, path)) continue;
+      for (const auto& [to, length] : roads.from(path.vertex)) {
+        enter({path.distance + length, path.source, to});
+      }
     }
   }
   return nearest;

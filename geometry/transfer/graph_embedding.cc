@@ -105,17 +105,25 @@ VertexEmbedding embed_by(const NearestSources& nearest, const Eigen::Matrix3Xd& 
   return {std::move(e), std::vector<int>(static_cast<std::size_t>(n), static_cast<int>(k))};
 }
 
+NearestSources nearest_sources(const WeldedSurface& surface, std::span<const int> sources,
+                               int count, NodeDistance distance) {
+  if (distance == NodeDistance::kPathAware) return nearest_path_aware(surface, sources, count);
+  const bool by_heat = distance == NodeDistance::kGeodesic;
+  return (by_heat ? nearest_along_surface : nearest_along_edges)(surface.shape(), sources, count);
+}
+
 }  // namespace
 
-VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
+VertexEmbedding embed_vertices(const WeldedSurface& surface, const Eigen::Matrix3Xd& g,
                                std::span<const int> node_vertices, const CutGroups& groups,
                                const GraphOptions& options) {
+  const Shape& shape = surface.shape();
   const bool in_space = options.distance == NodeDistance::kEuclidean ||
                         (options.distance == NodeDistance::kPathAware && shape.faces.empty());
   const bool whole = groups.nodes.size() == 1;
   if (in_space && whole) return {embed(shape.V, g, options.neighbors), {}};
   if (options.distance == NodeDistance::kPathAware && whole) {
-    return embed_by(nearest_path_aware(shape, node_vertices, options.neighbors + 1), shape.V);
+    return embed_by(nearest_path_aware(surface, node_vertices, options.neighbors + 1), shape.V);
   }
   VertexEmbedding result{embed(shape.V, g, options.neighbors), {}};
   result.followed.assign(static_cast<std::size_t>(shape.V.cols()), 0);
@@ -128,10 +136,8 @@ VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
     }
     std::vector<int> sources;
     for (const int j : nodes) sources.push_back(node_vertices[j]);
-    const auto nearest = options.distance == NodeDistance::kGeodesic    ? nearest_along_surface
-                         : options.distance == NodeDistance::kEdgePaths ? nearest_along_edges
-                                                                        : nearest_path_aware;
-    of_group.along_surface(nearest(shape, sources, options.neighbors + 1));
+    of_group.along_surface(
+        nearest_sources(surface, sources, options.neighbors + 1, options.distance));
   }
   return result;
 }

@@ -6,7 +6,7 @@
 
 #include "geometry/graph/deformation_graph.h"
 #include "geometry/graph/graph_cut.h"
-#include "geometry/shape/shape.h"
+#include "geometry/shape/weld.h"
 #include "geometry/transfer/embedding.h"
 
 namespace deformlab {
@@ -27,7 +27,7 @@ struct VertexEmbedding {
 /// the nodes that are nearest in space.
 ///   g  3×m node positions [length]
 /// Throws InputError for options out of range and as nearest_along_surface does.
-VertexEmbedding embed_vertices(const Shape& shape, const Eigen::Matrix3Xd& g,
+VertexEmbedding embed_vertices(const WeldedSurface& surface, const Eigen::Matrix3Xd& g,
                                std::span<const int> node_vertices, const CutGroups& groups,
                                const GraphOptions& options);
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "geometry/shape/shape.h"
+#include "geometry/shape/weld.h"
 #include "geometry/transfer/geodesic.h"
 
 namespace deformlab {
@@ -13,13 +13,14 @@ namespace deformlab {
 /// straight distance count wherever the surface is nearly flat, so that influences stay smooth. A
 /// path counts only where it goes a long way round, so that a finger does not follow its neighbour.
 ///
-/// Vertices at exactly the same position are one point of the surface, so that seams stay closed.
+/// Vertices at one place of the surface get the same sources, so that seams stay closed.
 /// Between parts of a shape that no path joins the straight distance counts, so that eyes, hair and
 /// buttons follow what they touch. A point set has only straight distances.
 ///
 /// On a large mesh, paths are measured between a few thousand of its vertices, and every other
 /// vertex reaches them along a straight line, so that the time is proportional to the size of the
 /// mesh.
-NearestSources nearest_path_aware(const Shape& shape, std::span<const int> sources, int count);
+NearestSources nearest_path_aware(const WeldedSurface& surface, std::span<const int> sources,
+                                  int count);
 
 }  // namespace deformlab

@@ -31,6 +31,7 @@ class Roads {
   std::span<const Road> from(int vertex) const {
     return std::span(roads_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
   }
+  double mean_length() const;  ///< [length], or 1 where all are 0
   Eigen::Index vertices() const { return static_cast<Eigen::Index>(first_.size()) - 1; }
 
  private:

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/transfer/weld.h"
+#include "geometry/shape/weld.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -40,7 +40,7 @@ TEST(Weld, NamesTheFirstVertexAtAPosition) {
 TEST(PathAware, IsStraightOnAFlatSurface) {
   const Shape plane = bumpy_plane(21, 1, 0);
   const std::vector<int> sources = {0, 20, 220, 420, 440};
-  const NearestSources nearest = nearest_path_aware(plane, sources, 5);
+  const NearestSources nearest = nearest_path_aware(WeldedSurface(plane), sources, 5);
   for (int i = 0; i < plane.V.cols(); ++i) {
     for (int s = 0; s < 5; ++s) {
       EXPECT_NEAR(distance_to(nearest, i, s), (plane.V.col(i) - plane.V.col(sources[s])).norm(),
@@ -53,7 +53,8 @@ TEST(PathAware, GoesAlongTheSurfaceWhereThatIsALongWayRound) {
   for (const int n : {21, 121}) {  // with paths between all vertices, and between some of them
     const Shape shape = rolled_plane(n);
     const int left = n / 2 * n, right = left + n - 1;
-    const NearestSources nearest = nearest_path_aware(shape, std::vector<int>{left, right}, 2);
+    const NearestSources nearest =
+        nearest_path_aware(WeldedSurface(shape), std::vector<int>{left, right}, 2);
     const double path = 1.9 * std::numbers::pi;
     EXPECT_NEAR(distance_to(nearest, right, 0) / (0.8 * path), 1, 0.05);
     EXPECT_EQ(distance_to(nearest, right, 1), 0);
@@ -73,14 +74,14 @@ TEST(PathAware, AShapeThatIsCutIntoChartsIsOneSurface) {
     const int first = static_cast<int>(3 * f);
     charts.faces.push_back({first, first + 1, first + 2});
   }
-  const NearestSources one = nearest_path_aware(whole, std::vector<int>{0, 440}, 2);
+  const NearestSources one = nearest_path_aware(WeldedSurface(whole), std::vector<int>{0, 440}, 2);
   std::vector<int> sources;
   for (const int v : {0, 440}) {
     Eigen::Index at = 0;
     (charts.V.colwise() - whole.V.col(v)).colwise().norm().minCoeff(&at);
     sources.push_back(static_cast<int>(at));
   }
-  const NearestSources other = nearest_path_aware(charts, sources, 2);
+  const NearestSources other = nearest_path_aware(WeldedSurface(charts), sources, 2);
   for (std::size_t f = 0; f < whole.faces.size(); ++f) {
     for (int c = 0; c < 3; ++c) {
       const int i = whole.faces[f][c];
@@ -93,7 +94,7 @@ TEST(PathAware, APartThatNothingJoinsFollowsWhatIsNearInSpace) {
   const Shape button = bumpy_plane(3, 0.1, 0);
   const Shape shape = side_by_side(bumpy_plane(11, 1, 0), button, {0.45, 0.45, 0.01});
   const std::vector<int> sources = {60, 0, 10, 121};  // the last is on the button
-  const NearestSources nearest = nearest_path_aware(shape, sources, 4);
+  const NearestSources nearest = nearest_path_aware(WeldedSurface(shape), sources, 4);
   for (int i = 121; i < shape.V.cols(); ++i) {
     ASSERT_EQ(nearest.found[i], 4);
     for (int s = 0; s < 4; ++s) {

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <unordered_map>
 
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 #include "geometry/shape/formats/numbers.h"
+#include "geometry/shape/weld.h"
 
 namespace deformlab::formats {
 namespace {
@@ -120,37 +119,23 @@ class TextReader {
   Leftovers unknown_;       ///< the first words of lines that STL does not have
 };
 
-using Point = std::array<double, 3>;
-
-struct PointHash {
-  std::size_t operator()(const Point& p) const {
-    std::size_t result = 0;
-    for (const double x : p) result = result * 0x9E3779B97F4A7C15 + std::hash<double>()(x);
-    return result;
-  }
-};
-
 /// Makes one vertex of all corners with equal coordinates (0 and −0 are equal). The vertices are
 /// numbered in the order of their first corners.
 Shape merged(const std::vector<double>& coordinates) {
-  const std::size_t facets = coordinates.size() / 9;
-  Shape shape;
-  shape.faces.reserve(facets);
-  std::unordered_map<Point, int, PointHash> vertex_of;
-  vertex_of.reserve(facets / 2);  // a closed mesh has half as many vertices as triangles
-  std::vector<double> V;
-  const double* corner = coordinates.data();
-  for (std::size_t facet = 0; facet < facets; ++facet) {
-    std::vector<int>& face = shape.faces.emplace_back(3);
-    for (int& vertex : face) {
-      const auto [found, is_new] =
-          vertex_of.try_emplace({corner[0], corner[1], corner[2]}, static_cast<int>(V.size() / 3));
-      if (is_new) V.insert(V.end(), corner, corner + 3);
-      vertex = found->second;
-      corner += 3;
-    }
+  const auto corners =
+      Eigen::Map<const Eigen::Matrix3Xd>(coordinates.data(), 3, std::ssize(coordinates) / 3);
+  std::vector<int> vertex_of = weld(corners), firsts;
+  for (int i = 0; i < corners.cols(); ++i) {
+    const bool is_new = vertex_of[i] == i;
+    vertex_of[i] = is_new ? static_cast<int>(firsts.size()) : vertex_of[vertex_of[i]];
+    if (is_new) firsts.push_back(i);
   }
-  shape.V = Eigen::Matrix3Xd::Map(V.data(), 3, std::ssize(V) / 3);
+  Shape shape;
+  shape.V = corners(Eigen::all, firsts);
+  shape.faces.reserve(vertex_of.size() / 3);
+  for (auto corner = vertex_of.begin(); corner != vertex_of.end(); corner += 3) {
+    shape.faces.emplace_back(corner, corner + 3);
+  }
   return shape;
 }
 
