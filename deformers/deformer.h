@@ -11,6 +11,15 @@
 
 namespace deformlab {
 
+/// What a user can do where a method does not hold an edit. A method whose options help names them.
+struct Advice {
+  std::string missed = "fix less around it";  ///< a handle stops short of its target
+  std::string torn = "move the handles less, or let more of the shape move";
+  std::string open_seam = "move both sides together";
+  std::string inside_out = "move the handles less, or say how they turn with 'rotate'";
+  std::string immovable = "fix fewer vertices";  ///< no handle can move
+};
+
 /// The report of an update.
 struct Report {
   Summary solve;
@@ -30,6 +39,7 @@ struct Report {
   std::vector<std::string> notes;
   /// What the edit asked for and the shape does not hold, one sentence each.
   std::vector<std::string> undone;
+  Advice advice;
 };
 
 /// A method that deforms a rest shape by handles. It works in three phases, each of which costs

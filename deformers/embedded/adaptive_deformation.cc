@@ -141,6 +141,8 @@ AdaptiveDeformation::AdaptiveDeformation(Shape rest, const EmbeddedDeformationOp
       adaptive_(adaptive),
       cuts_(cuts.begin(), cuts.end()) {
   inside_option("adaptive", [&] { check(options_.graph, adaptive_); });
+  refuse_interior(options_.graph,
+                  "a graph that grows (adaptive.start) has nodes on the surface only");
   // This method has its own rules for where nodes are and how many.
   options_.graph.region = NodeRegion::kWhole;
   options_.graph.fit = false;

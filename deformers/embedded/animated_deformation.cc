@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kSame = 1e-6;  // a node this near to a vertex sits on it [diagonal of the shape]
 
-EmbeddedDeformation on_vertices(const Shape& pose, const EmbeddedDeformationOptions& options) {
+EmbeddedDeformation on_vertices(const Shape& pose, EmbeddedDeformationOptions options) {
+  refuse_interior(options.graph, "the nodes of an animation sit on vertices, to go with them");
   const GraphOptions& graph = options.graph;
   const bool between_vertices =
       graph.method == NodePlacement::kSampling && graph.distance == NodeDistance::kEuclidean;
@@ -25,8 +26,10 @@ EmbeddedDeformation on_vertices(const Shape& pose, const EmbeddedDeformationOpti
   return {pose, nodes, options};
 }
 
-std::vector<int> vertices_at(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& V) {
-  std::vector<int> vertices = nearest_vertices(g, V);
+// The vertices at the nodes g (3×m), of which those that the graph knows are near to them.
+std::vector<int> vertices_at(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& V,
+                             const std::vector<int>& known) {
+  std::vector<int> vertices = std::ssize(known) == g.cols() ? known : nearest_vertices(g, V);
   const double same = kSame * bounding_box_diagonal(V);
   for (Eigen::Index j = 0; j < g.cols(); ++j) {
     const double away = (g.col(j) - V.col(vertices[static_cast<std::size_t>(j)])).norm();
@@ -49,10 +52,7 @@ AnimatedDeformation::AnimatedDeformation(const Shape& pose,
 
 // The graph may depend on the handles.
 void AnimatedDeformation::find_node_vertices() {
-  const Eigen::Matrix3Xd& g = deformation_.graph().g;
-  node_vertices_ = vertices_at(g, pose_.V);  // throws for a node beside the shape
-  const std::vector<int>& known = deformation_.node_vertices();
-  if (g.cols() == std::ssize(known)) node_vertices_ = known;
+  node_vertices_ = vertices_at(deformation_.graph().g, pose_.V, deformation_.node_vertices());
 }
 
 void AnimatedDeformation::compile(const Handles& handles) {

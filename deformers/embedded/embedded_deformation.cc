@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <utility>
 
 #include "deformers/embedded/border.h"
@@ -54,6 +53,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const EmbeddedDeformationOp
       rest_(std::move(rest)),
       cuts_(cuts.begin(), cuts.end()),
       solver_(solver_of(options)) {
+  check_interior();
   if (options_.graph.region == NodeRegion::kActive) {
     check(rest_, "the shape");
     deformed_ = rest_;
@@ -68,6 +68,7 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, const Eigen::Matrix3Xd& nod
                                          std::span<const Cut> cuts)
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
   options_.graph.region = NodeRegion::kWhole;  // no other graph is built
+  check_interior();
   register_graph(
       inside_option("graph", [&] { return build_graph(rest_, nodes, options_.graph, cuts); }));
   compile({});
@@ -77,19 +78,26 @@ EmbeddedDeformation::EmbeddedDeformation(Shape rest, DeformationGraph graph,
                                          const EmbeddedDeformationOptions& options)
     : options_(checked(options, rest)), rest_(std::move(rest)), solver_(solver_of(options)) {
   options_.graph.region = NodeRegion::kWhole;  // no other graph is built
+  check_interior();
   register_graph(
       inside_option("graph", [&] { return build_graph(rest_, std::move(graph), options_.graph); }));
   compile({});
 }
 
 void EmbeddedDeformation::register_graph(BuiltGraph built) {
-  graph_ = std::move(built.graph);
+  surface_graph_ = std::move(built.graph);
   embedding_ = std::move(built.embedding);
   node_vertices_ = std::move(built.node_vertices);
   active_ = std::move(built.active);
   in_space_ = built.in_space;
   registration_notes_ = std::move(built.notes);
   seconds_ = std::move(built.seconds);
+  has_interior_ = false;
+  set_graph(surface_graph_);
+}
+
+void EmbeddedDeformation::set_graph(DeformationGraph graph) {
+  graph_ = std::move(graph);
   unit_ = deformlab::length_unit(options_.length_unit, graph_);
   const int m = static_cast<int>(graph_.g.cols());
   problem_.x = rest_states(m);
@@ -122,6 +130,7 @@ void EmbeddedDeformation::repose(const Shape& rest, const Eigen::Matrix3Xd& node
   rest_ = rest;
   embedding_.v = rest.V;
   graph_.g = nodes;
+  surface_graph_.g = nodes.leftCols(surface_graph_.g.cols());
   reset();
 }
 
@@ -164,7 +173,7 @@ void EmbeddedDeformation::fix_nodes(const std::vector<char>& fixed) {
 }
 
 Embedding EmbeddedDeformation::embedded_points(const Eigen::Matrix3Xd& points) const {
-  if (in_space_) return embed(points, graph_.g, options_.graph.neighbors);
+  if (in_space_) return embed(points, surface_graph_.g, options_.graph.neighbors);
   if (active_.empty()) return embed_at_vertices(points, embedding_);
   return embed_at_vertices(points, subset(embedding_, active_));
 }
@@ -272,6 +281,7 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
   embed_handles(handles);
+  if (fit_interior()) embed_handles(handles);
   pin_components();
   make_terms();
   solver_->compile(problem_);
@@ -282,18 +292,38 @@ void EmbeddedDeformation::measure(const Transformations& X, const Eigen::Matrix3
   report.nodes = static_cast<int>(graph_.g.cols());
   report.edges = static_cast<int>(graph_.edges.size());
   report.length_unit = unit_;
-  report.min_det_R = std::numeric_limits<double>::infinity();
-  for (Eigen::Index j = 0; j < graph_.g.cols(); ++j) {
-    report.min_det_R = std::min(report.min_det_R, X.middleCols<3>(4 * j).determinant());
-  }
-  report.inside_out = count_inside_out(X);
+  const Determinants det = determinants(X);
+  report.min_det_R = det.least;
+  report.inside_out = det.inside_out;
   measure_handles(transfer_positions(X, graph_.g, handles_).leftCols(moved_), targets, report);
   report.immovable = immovable_;
+  report.advice = advice();
   if (auto lost = lost_turn(graph_, X, handles_, rotations_, nodes_at_rest())) {
     report.undone.push_back(std::move(*lost));
   }
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.seconds["solve"] = report.solve.seconds["total"];
+}
+
+// Names only options that are not yet as the advice wants them.
+Advice EmbeddedDeformation::advice() const {
+  const GraphOptions& graph = options_.graph;
+  const std::string more = graph.method != NodePlacement::kFile
+                               ? fmt::format("use more nodes with a greater graph.nodes (now {})",
+                                             surface_graph_.g.cols())
+                               : "use a graph file with more nodes";
+  Advice advice;
+  advice.missed = fmt::format(
+      "{}, hold it more with a greater energies.constraint, or fix less around it", more);
+  advice.torn = fmt::format("move the handles less, let more of the shape move, or {}", more);
+  if (graph.distance != NodeDistance::kPathAware) {
+    advice.open_seam += ", or take graph.distance=path_aware";
+  }
+  if (options_.reflections != Reflections::kRepair) {
+    advice.inside_out += ", or set reflections=repair";
+  }
+  advice.immovable = fmt::format("fix fewer vertices, or {}", more);
+  return advice;
 }
 
 // Notes are in the order of the phases: registration, compilation, solve.
@@ -304,17 +334,29 @@ void EmbeddedDeformation::add_notes(Report& report) const {
   append(notes, report.solve.notes);
   if (report.inside_out > 0) {
     notes.push_back(fmt::format(
-        "nodes where space is turned inside out (det R < 0), which E_rot cannot see: {}; move the "
-        "handles less, or in smaller steps{}",
-        report.inside_out,
-        options_.reflections == Reflections::kRepair ? "" : ", or set reflections: repair"));
+        "nodes where space is turned inside out (det R < 0), which E_rot cannot see: {}; {}",
+        report.inside_out, report.advice.inside_out));
   }
   report.notes = std::move(notes);
+}
+
+void EmbeddedDeformation::check_in_plane(const Eigen::Matrix3Xd& targets) const {
+  if (options_.dimension == 3) return;
+  const double same = 1e-9 * bounding_box_diagonal(rest_.V);
+  for (Eigen::Index l = 0; l < targets.cols(); ++l) {
+    const double along_z = targets(2, l) - handles_.v(2, l);
+    if (std::abs(along_z) <= same) continue;
+    throw OptionError("dimension", "2",
+                      fmt::format(", but a handle at ({:.6g}, {:.6g}, {:.6g}) is moved by {:.6g} "
+                                  "along z; use 3, or move it in the plane",
+                                  handles_.v(0, l), handles_.v(1, l), handles_.v(2, l), along_z));
+  }
 }
 
 Report EmbeddedDeformation::update(const Eigen::Matrix3Xd& targets) {
   if (graph_.g.cols() == 0) compile({});
   check_targets(targets, moved_);
+  check_in_plane(targets);
   Report report;
   const Eigen::Matrix3Xd all = all_targets(targets);
   const Eigen::MatrixXd in_units = all.topRows(options_.dimension) / unit_;

@@ -19,10 +19,11 @@ namespace deformlab {
 /// Embedded Deformation for Shape Manipulation (Sumner, Schmid, Pauly 2007).
 class EmbeddedDeformation final : public Deformer {
  public:
-  /// Builds the graph, in which parts that `cuts` separate do not influence each other. With
-  /// graph.region "active" the graph depends on what is fixed: `compile` builds it then, and again
-  /// whenever other vertices are fixed, and the transformations begin at rest. Throws InputError
-  /// for options and cuts that are out of range or do not fit the shape.
+  /// Builds the graph, in which parts that `cuts` separate do not influence each other. Nodes
+  /// inside a closed shape (graph.interior) are added when handles are compiled. With graph.region
+  /// "active" the graph depends on what is fixed: `compile` builds it then, and again whenever
+  /// other vertices are fixed, and the transformations begin at rest. Throws InputError for options
+  /// and cuts that are out of range or do not fit the shape.
   EmbeddedDeformation(Shape rest, const EmbeddedDeformationOptions& options,
                       std::span<const Cut> cuts = {});
   /// Builds the edges and weights for nodes that are given (3×m) [length].
@@ -49,7 +50,7 @@ class EmbeddedDeformation final : public Deformer {
 
   const DeformationGraph& graph() const { return graph_; }   ///< at rest [length]
   const Embedding& embedding() const { return embedding_; }  ///< of all vertices [length]
-  /// The vertex at each node, as in BuiltGraph.
+  /// The vertex at each node that is not inside, as in BuiltGraph.
   const std::vector<int>& node_vertices() const { return node_vertices_; }
   Transformations transformations() const;  ///< 3×4m, t_j [length]
   /// The positions (3×p) [length] to which X (3×4m) moves the handles that are points.
@@ -59,6 +60,10 @@ class EmbeddedDeformation final : public Deformer {
 
  private:
   void register_graph(BuiltGraph built);
+  void set_graph(DeformationGraph graph);
+  void check_interior() const;
+  bool wants_interior() const;
+  bool fit_interior();
   void build_active_graph(const Handles& handles);
   Unknowns rest_states(int m) const;
   void fix_nodes(const std::vector<char>& fixed);
@@ -77,6 +82,8 @@ class EmbeddedDeformation final : public Deformer {
   void set_constraint_weight(double weight);
   void relax(const Eigen::Matrix3Xd& targets, Report& report);
   void measure(const Transformations& X, const Eigen::Matrix3Xd& targets, Report& report) const;
+  Advice advice() const;
+  void check_in_plane(const Eigen::Matrix3Xd& targets) const;
   void add_notes(Report& report) const;
 
   EmbeddedDeformationOptions options_;
@@ -98,6 +105,8 @@ class EmbeddedDeformation final : public Deformer {
   int immovable_ = 0;
   bool at_rest_ = true;  // no solve has changed the transformations yet
   DeformationGraph graph_;
+  DeformationGraph surface_graph_;  // without nodes inside, which are the last in graph_
+  bool has_interior_ = false;
   std::vector<int> node_vertices_;
   bool in_space_ = true;  // a point can be embedded by its position alone
   double unit_ = 1;

@@ -71,7 +71,7 @@ void EmbeddedDeformation::set_constraint_weight(double weight) {
 // E_con lets them give way.
 void EmbeddedDeformation::relax(const Eigen::Matrix3Xd& targets, Report& report) {
   const double weight = weight_of<Constraint<>>(problem_);
-  const auto count = [&] { return count_inside_out(transformations()); };
+  const auto count = [&] { return determinants(transformations()).inside_out; };
   const int before = count();
   if (!(options_.relaxed_constraint > 0 && options_.relaxed_constraint < weight && before > 0)) {
     return;
@@ -85,10 +85,11 @@ void EmbeddedDeformation::relax(const Eigen::Matrix3Xd& targets, Report& report)
   set_constraint_weight(weight);
   if (const int after = count(); after < before) {
     report.solve = std::move(relaxed);
-    report.notes.push_back(fmt::format(
-        "handles hold less, with a weight of {:g} instead of {:g}, because {} nodes were inside "
-        "out; now {} are",
-        options_.relaxed_constraint, weight, before, after));
+    report.notes.push_back(
+        fmt::format("handles hold less, with a weight of {:g} instead of {:g}, because of nodes "
+                    "that were inside "
+                    "out: {} before, {} now",
+                    options_.relaxed_constraint, weight, before, after));
   } else {
     problem_.x = first;
   }

@@ -72,6 +72,13 @@ void check(const EmbeddedDeformationOptions& options, const Shape& rest) {
   check_stiffness(options.stiffness, rest.V.cols());
 }
 
+void refuse_interior(GraphOptions& options, const std::string& why) {
+  if (options.interior == InteriorNodes::kOn) {
+    throw OptionError("graph.interior", "on", fmt::format(", but {}; take interior: off", why));
+  }
+  options.interior = InteriorNodes::kOff;
+}
+
 void check_dimension(int d, const Shape& rest) {
   if (d == 2 && rest.V.cols() > 0 && rest.V.row(2).maxCoeff() > rest.V.row(2).minCoeff()) {
     throw OptionError("dimension", "2", ", but z differs over the shape; use 3, or flatten it");

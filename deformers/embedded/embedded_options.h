@@ -141,6 +141,10 @@ struct EmbeddedDeformationOptions {
 /// with the shape.
 void check(const EmbeddedDeformationOptions& options, const Shape& rest);
 
+/// Makes "auto" nodes inside a shape none. Throws OptionError ("graph.interior") if they are asked
+/// for; `why` says why there cannot be any.
+void refuse_interior(GraphOptions& options, const std::string& why);
+
 /// Throws OptionError where the dimension is 2 and z differs over the shape.
 void check_dimension(int d, const Shape& rest);
 

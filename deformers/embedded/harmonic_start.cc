@@ -1,7 +1,6 @@
 #include "deformers/embedded/harmonic_start.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,6 @@
 namespace deformlab {
 namespace {
 
-constexpr double kFlat = 1e-3;   // singular values relative to the first: the points span no plane
 constexpr double kAgrees = 0.1;  // [rad] two rotations that differ by less are the same motion
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastEdge = 1e-6;  // relative to the mean edge
@@ -34,12 +32,9 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& omega) {
 // The rotation that takes the points p nearest to q, or nothing where they lie on a line.
 std::optional<Eigen::Matrix3d> fitted_rotation(const Eigen::Matrix3Xd& p,
                                                const Eigen::Matrix3Xd& q) {
+  if (!spans_a_plane(p) || !spans_a_plane(q)) return std::nullopt;
   const auto from = p.colwise() - p.rowwise().mean(), to = q.colwise() - q.rowwise().mean();
-  const Eigen::Matrix3d M = to * from.transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d s = svd.singularValues();
-  if (!(s[1] > kFlat * s[0])) return std::nullopt;
-  return nearest_rotation(M);
+  return nearest_rotation(to * from.transpose());
 }
 
 bool is_same_motion(const Eigen::Matrix3d& R, const Eigen::Vector3d& asked) {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 
 #include "energies/graph/nodes.h"
 
@@ -54,12 +55,14 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R) {
   return U * svd.matrixV().transpose();
 }
 
-int count_inside_out(const Transformations& X) {
-  int count = 0;
+Determinants determinants(const Transformations& X) {
+  Determinants result;
   for (Eigen::Index j = 0; j < X.cols() / 4; ++j) {
-    count += X.middleCols<3>(4 * j).determinant() < 0;
+    const double det = X.middleCols<3>(4 * j).determinant();
+    result.least = std::min(result.least, det);
+    result.inside_out += det < 0;
   }
-  return count;
+  return result;
 }
 
 }  // namespace deformlab

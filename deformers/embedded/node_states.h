@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "energies/graph/context.h"
 #include "energies/unknowns.h"
 #include "geometry/transfer/transfer.h"
@@ -22,7 +24,11 @@ void set_transformations(const Transformations& X, NodeModel model, double unit,
 /// The rotation that is nearest to R.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R);
 
-/// How many of the transformations (3×4m) turn space inside out: det R < 0.
-int count_inside_out(const Transformations& X);
+/// The determinants of the matrices R of some transformations.
+struct Determinants {
+  double least = std::numeric_limits<double>::infinity();
+  int inside_out = 0;  ///< how many are below 0: space is turned inside out
+};
+Determinants determinants(const Transformations& X);
 
 }  // namespace deformlab

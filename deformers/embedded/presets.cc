@@ -10,6 +10,7 @@ EmbeddedDeformationOptions preset_options(Preset preset) {
   options.graph.distance = NodeDistance::kPathAware;
   options.graph.neighbors = 8;
   options.graph.alpha = EdgeWeights::kLength;
+  options.graph.interior = InteriorNodes::kAuto;
   options.energies["rotation"].weight = 100;
   options.energies["regularization"].weight = 10;
   options.energies["constraint"].weight = 1e6;

@@ -1,7 +1,6 @@
 #include "deformers/embedded/satellites.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "deformers/embedded/handle_groups.h"
@@ -9,20 +8,11 @@
 namespace deformlab {
 namespace {
 
-constexpr double kFlat = 1e-3;  // singular values relative to the first: the points span no plane
-
 // The corners of a regular tetrahedron around the origin, at distance 1.
 Eigen::Matrix<double, 3, 4> tetrahedron() {
   Eigen::Matrix<double, 3, 4> corners;
   corners << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
   return corners / std::sqrt(3.0);
-}
-
-bool spans_a_plane(const Eigen::Matrix3Xd& points) {
-  const Eigen::Matrix3Xd arms = points.colwise() - points.rowwise().mean();
-  const Eigen::Vector3d s = Eigen::JacobiSVD<Eigen::Matrix3d>(arms * arms.transpose())
-                                .singularValues();  // squares of those of the arms
-  return s[1] > kFlat * kFlat * s[0];
 }
 
 }  // namespace

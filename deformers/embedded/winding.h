@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,17 @@
 #include "geometry/transfer/transfer.h"
 
 namespace deformlab {
+
+/// Turns that are greater cannot be read from a rotation any more [rad].
+inline constexpr double kMoreThanHalfTurn = 1.01 * std::numbers::pi;
+
+/// The largest difference of the rotation vectors that neighbouring regions are asked for [rad].
+/// Regions are neighbours where no third one is nearer to the nodes between them, counted in edges.
+///   handles    of which the first have rotations
+///   rotations  as in Handles::rotations; handles of which nothing is known are no region
+///   at_rest    of each node: its rotation vector is zero
+double turn_between_neighbors(const DeformationGraph& graph, const Embedding& handles,
+                              const Eigen::Matrix3Xd& rotations, const std::vector<char>& at_rest);
 
 /// The rotation vectors of the nodes (3×m) [rad] that are reached from nodes at rest without a
 /// jump: neighbours differ by less than a half turn. So they show how often a region has turned,

@@ -129,25 +129,20 @@ std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3X
       count > 1 ? fmt::format(" ({} handles miss by more than 2 %)", count) : "";
   const double miss = is_point ? report.handle_max : most;
   result.push_back(
-      fmt::format("{} stops {:.3g} short of its target, {:.0f} % of the edit's motion{}; add nodes "
-                  "near it with "
-                  "a greater graph.nodes (now {}), hold it more with a greater "
-                  "energies.constraint, or fix less "
-                  "around it",
-                  which, miss, 100 * miss / motion, others, report.nodes));
+      fmt::format("{} stops {:.3g} short of its target, {:.0f} % of the edit's motion{}; {}", which,
+                  miss, 100 * miss / motion, others, report.advice.missed));
   return result;
 }
 
-std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V) {
+std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, const Report& report) {
   std::vector<std::string> result;
   Stretch stretch(rest, V);
   const auto [count, times, edge] = stretch.torn();
   if (count > 0) {
     result.push_back(fmt::format(
         "the shape tears at {} edge{}: the edge of vertices {} and {} becomes {:.3g} times as long "
-        "as those around it; move the handles less, let more of the shape move, or change "
-        "graph.nodes",
-        count, count == 1 ? "" : "s", edge.first, edge.second, times));
+        "as those around it; {}",
+        count, count == 1 ? "" : "s", edge.first, edge.second, times, report.advice.torn));
   }
   const std::vector<int> first = weld(rest.V);
   int open = 0;
@@ -160,28 +155,29 @@ std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V) {
   if (open > 0 && !rest.faces.empty()) {
     result.push_back(fmt::format(
         "a seam opens: {} vertices that are at the position of another one move up to {:.3g} away "
-        "from it; move both sides together, or use graph.distance=path_aware",
-        open, widest));
+        "from it; {}",
+        open, widest, report.advice.open_seam));
   }
   return result;
 }
 
 std::vector<std::string> inside_out(const Report& report) {
   if (report.inside_out == 0) return {};
-  return {fmt::format(
-      "the shape is turned inside out around {} of {} nodes; move the handles less or say how they "
-      "turn with 'rotate', or set reflections=repair",
-      report.inside_out, report.nodes)};
+  return {fmt::format("the shape is turned inside out around {} of {} nodes; {}", report.inside_out,
+                      report.nodes, report.advice.inside_out)};
 }
 
 void check_movable(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets,
                    const Report& report) {
+  if (targets.cols() > 0 && std::ssize(handles.fixed) == rest.V.cols()) {
+    throw InputError(fmt::format(
+        "the edit fixes all {} vertices, so that nothing can move; fix fewer", rest.V.cols()));
+  }
   const bool asks = edit_motion(rest, handles, targets) > 0;
   if (!asks || report.immovable < targets.cols()) return;
   throw InputError(fmt::format(
-      "no handle can move, because all {} follow only nodes that the fixed part holds; fix fewer "
-      "vertices, or use more nodes (graph.nodes is {})",
-      targets.cols(), report.nodes));
+      "no handle can move, because all {} follow only nodes that the fixed part holds; {}",
+      targets.cols(), report.advice.immovable));
 }
 
 }  // namespace deformlab

@@ -25,7 +25,7 @@ std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3X
 
 /// Edges that become more than 5 times as long as those around them let expect, and seams that
 /// open: vertices at one position at rest that end more than half a mean edge apart.
-std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V);
+std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, const Report& report);
 
 /// Nodes that are inside out.
 std::vector<std::string> inside_out(const Report& report);

@@ -60,6 +60,15 @@ constexpr auto names_of(EdgeWeights) {
       {{kUniform, "uniform"}, {kOverlap, "overlap"}, {kLength, "length"}});
 }
 
+/// Whether a closed shape gets nodes inside as well (geometry/graph/graph_interior.h). With kAuto
+/// it gets them for edits in which neighbouring regions turn by more than a half turn against each
+/// other.
+enum class InteriorNodes { kOff, kAuto, kOn };
+constexpr auto names_of(InteriorNodes) {
+  using enum InteriorNodes;
+  return std::to_array<EnumName<InteriorNodes>>({{kOff, "off"}, {kAuto, "auto"}, {kOn, "on"}});
+}
+
 /// How a deformation graph is made (Sumner et al. 2007, section 3).
 struct GraphOptions {
   NodePlacement method = NodePlacement::kSampling;
@@ -75,7 +84,10 @@ struct GraphOptions {
   NodeDistance distance = NodeDistance::kEuclidean;
   int neighbors = 4;  ///< k of Eq. 4; the paper uses 4, and 8 in Figure 5 (d)
   EdgeWeights alpha = EdgeWeights::kUniform;
-  std::uint64_t seed = 1;  ///< another seed draws other samples
+  /// `build_graph` makes none of these nodes, because they may depend on the edit.
+  InteriorNodes interior = InteriorNodes::kOff;
+  double interior_spacing = 1.3;  ///< as in with_interior
+  std::uint64_t seed = 1;         ///< another seed draws other samples
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -105,6 +117,14 @@ struct GraphOptions {
         "alpha", o.alpha,
         "The weight of an edge in Eq. 7 of Sumner et al. 2007: 1, in proportion to the overlap of "
         "the nodes' influence, or to length⁻², for graphs that are denser in some parts");
+    visit(
+        "interior", o.interior,
+        "Whether a closed shape gets nodes inside too, which hold its volume where it is twisted. "
+        "auto adds them where neighbouring regions turn by more than a half turn against each "
+        "other");
+    visit.range("interior_spacing", o.interior_spacing, {.min = 0.25, .max = 10},
+                "The size of the cells of the grid on which nodes inside are, relative to the mean "
+                "distance of neighbouring nodes on the surface");
     visit("seed", o.seed, "The seed of the random numbers for sampling nodes");
   }
 };

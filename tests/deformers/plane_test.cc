@@ -66,5 +66,13 @@ TEST(InThePlane, AShapeThatIsNotFlatIsRefused) {
   EXPECT_THROW(EmbeddedDeformation(bumpy_plane(10, 1, 0), options), InputError);
 }
 
+TEST(InThePlane, AMotionAlongZIsRefused) {
+  EmbeddedDeformation deformer(bumpy_plane(20, 1, 0), in_the_plane("auto"));
+  deformer.compile(three_places());
+  Eigen::Matrix3Xd targets = three_places().points;
+  targets(2, 1) = 0.3;
+  EXPECT_THROW(deformer.update(targets), OptionError);
+}
+
 }  // namespace
 }  // namespace deformlab::test

@@ -9,11 +9,13 @@
 
 #include "deformers/embedded/embedded_deformation.h"
 #include "deformers/embedded/harmonic_start.h"
+#include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -116,6 +118,97 @@ TEST(DefaultPreset, TurnsTheWayThatIsAsked) {
     const double middle = turn_of_ring(rest, deformer.deformed(), 30);
     EXPECT_NEAR(std::remainder(middle - degrees / 2, 360), 0, 10);
   }
+}
+
+TEST(DefaultPreset, NodesInsideHoldAFullTurnOfACoarseMesh) {
+  const Shape rest = rod(12, 30);
+  const Twist twist(rest, 360);
+  EmbeddedDeformation deformer(rest, preset_options());
+  deformer.compile(twist.handles);
+  EXPECT_THAT(deformer.update(twist.targets).undone, IsEmpty());
+  EXPECT_NEAR(std::abs(turn_of_ring(rest, deformer.deformed(), 15, 12)), 180, 15);
+}
+
+TEST(DefaultPreset, NodesInsideHoldAFullTurn) {
+  const Shape rest = rod();
+  const Twist twist(rest, 360);
+  EmbeddedDeformationOptions options = preset_options();
+  EmbeddedDeformation automatic(rest, options);
+  options.graph.interior = InteriorNodes::kOff;
+  EmbeddedDeformation hollow(rest, options);
+  for (EmbeddedDeformation* deformer : {&automatic, &hollow}) {
+    deformer->compile(twist.handles);
+    const Report report = deformer->update(twist.targets);
+    EXPECT_EQ(report.undone.empty(), deformer == &automatic);
+    EXPECT_LT(report.handle_max, 1e-3);
+  }
+  EXPECT_GT(automatic.graph().g.cols(), hollow.graph().g.cols());
+  EXPECT_GT(volume(automatic.deformed()) / volume(rest), 0.75);
+  EXPECT_NEAR(std::abs(turn_of_ring(rest, automatic.deformed(), 30)), 180, 10);
+  EXPECT_NEAR(turn_of_ring(rest, hollow.deformed(), 30), 0, 10);
+}
+
+TEST(DefaultPreset, NodesInsideGoAgainForSmallerTurns) {
+  const Shape rest = rod();
+  EmbeddedDeformation deformer(rest, preset_options());
+  Eigen::Index hollow = 0;
+  for (const double degrees : {90.0, 300.0, 90.0}) {
+    const Twist twist(rest, degrees);
+    deformer.compile(twist.handles);
+    if (hollow == 0) hollow = deformer.graph().g.cols();
+    EXPECT_EQ(deformer.graph().g.cols() > hollow, degrees > 180);
+    EXPECT_LT(deformer.update(twist.targets).handle_max, 1e-3);
+  }
+}
+
+TEST(DefaultPreset, HandlesInTheMiddleNeedNoNodesInside) {
+  const Shape rest = rod();
+  Twist twist(rest, 300);
+  for (int i = 0; i < rest.V.cols(); ++i) {
+    if (std::abs(rest.V(2, i) - 1) > 0.01) continue;
+    twist.handles.moved.push_back(i);
+    twist.handles.groups.push_back(1);
+  }
+  const Eigen::Index before = twist.handles.rotations.cols();
+  twist.handles.rotations.conservativeResize(3, std::ssize(twist.handles.moved));
+  twist.handles.rotations.rightCols(twist.handles.rotations.cols() - before).colwise() =
+      twist.handles.rotations.col(0) / 2;
+  EmbeddedDeformationOptions options = preset_options();
+  EmbeddedDeformation automatic(rest, options);
+  automatic.compile(twist.handles);
+  options.graph.interior = InteriorNodes::kOff;
+  EmbeddedDeformation hollow(rest, options);
+  hollow.compile(twist.handles);
+  EXPECT_EQ(automatic.graph().g, hollow.graph().g);
+}
+
+TEST(InteriorNodes, AnOpenShapeHasNone) {
+  Shape open = rod(12, 20);
+  open.faces.pop_back();
+  EmbeddedDeformationOptions options = preset_options();
+  const Twist twist(open, 300);
+  EmbeddedDeformation automatic(open, options);
+  automatic.compile(twist.handles);
+  EXPECT_LT(automatic.update(twist.targets).handle_max, 1e-2);
+  options.graph.interior = InteriorNodes::kOn;
+  EXPECT_THAT(error_of([&] { EmbeddedDeformation(open, options); }),
+              AllOf(HasSubstr("graph.interior is on"), HasSubstr("closed surface"),
+                    HasSubstr("interior: off")));
+}
+
+TEST(InteriorNodes, BothSolversHoldAFullTurn) {
+  const Shape rest = rod(12, 30);
+  const Twist twist(rest, 360);
+  EmbeddedDeformationOptions options = preset_options();
+  options.solver.epsilon = 1e-12;  // the minimum is flat
+  EmbeddedDeformation ours(rest, options);
+  options.solver.method = SolverMethod::kCeres;
+  EmbeddedDeformation ceres(rest, options);
+  for (EmbeddedDeformation* deformer : {&ours, &ceres}) {
+    deformer->compile(twist.handles);
+    EXPECT_THAT(deformer->update(twist.targets).undone, IsEmpty());
+  }
+  EXPECT_LT((ours.deformed().V - ceres.deformed().V).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 TEST(DefaultPreset, SaysThatATurnIsLost) {

@@ -80,7 +80,7 @@ TEST_P(Twists, AreReportedWhereTheyTurnNodesInsideOut) {
   const Report report = twist(GetParam(), Reflections::kReport);
   EXPECT_GT(report.inside_out, 0);
   EXPECT_LT(report.min_det_R, -0.9);
-  EXPECT_THAT(report.notes, Contains(HasSubstr("reflections: repair")));
+  EXPECT_THAT(report.notes, Contains(HasSubstr("reflections=repair")));
 }
 
 TEST_P(Twists, AreCured) {
@@ -175,7 +175,7 @@ TEST(Reflections, ThatHandlesAskForStayAndAreSaid) {
   EXPECT_EQ(report.inside_out, same.inside_out);
   EXPECT_EQ(V, same_V);
   EXPECT_THAT(report.notes, Contains(HasSubstr("could not be turned back")));
-  EXPECT_THAT(report.notes, Not(Contains(HasSubstr("set reflections: repair"))));
+  EXPECT_THAT(report.notes, Not(Contains(HasSubstr("set reflections=repair"))));
 }
 
 TEST(Reflections, AreNoneWhereTheEditIsMild) {

@@ -137,6 +137,12 @@ const Refusal kEdits[] = {
              {"finite number", "1e400"}),
     bad_edit("FarTarget", "edit:\n  - {select: {vertices: [4]}, to: [1e300, 0, 0]}\n",
              {"1e+300", "vertex 4"}),
+    bad_edit("AllFixed",
+             "edit:\n  - {select: {all: true}, fix: true}\n"
+             "  - {select: {point: [0.5, 0.5, 0]}, by: [0, 0, 1]}\n",
+             {"fixes all 81 vertices"}),
+    bad_edit("FarPoint", "edit:\n  - {select: {point: [50, 0, 0]}, by: [0, 0, 1]}\n",
+             {"edit entry 1 (line 2 of bad.yaml)", "[50, 0, 0]", "49 away", "the unit"}),
     bad_edit("NoFileOfIndices", "edit:\n  - {select: {file: nope.txt}, fix: true}\n",
              {"nope.txt", "line 2"}),
     bad_edit("FileOfWords", "edit:\n  - {select: {file: lift.yaml}, fix: true}\n",

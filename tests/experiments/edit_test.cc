@@ -192,6 +192,33 @@ TEST(Edit, FilesOfIndicesAreCheckedByLine) {
   EXPECT_THAT(error_of("- {select: {file: .}, fix: true}"), HasSubstr("cannot read"));
 }
 
+TEST(Edit, ContradictionsBetweenTargetsNameTheirLines) {
+  write("twice.csv", "vertex,x,y,z\n2,0,0,1\n2,0,0,2\n");
+  EXPECT_THAT(error_of("- {targets: twice.csv}"),
+              AllOf(HasSubstr("line 2 of twice.csv"), HasSubstr("line 3 of twice.csv")));
+  write("many.csv", "9,0,0,1\n");
+  EXPECT_THAT(error_of("- {targets: many.csv}"),
+              AllOf(HasSubstr("line 1 of many.csv"), HasSubstr("vertex 9")));
+}
+
+TEST(Edit, SaysThatAMatrixMirrorsOrFlattens) {
+  const auto notes = [](const char* rows) {
+    return resolved(std::string("- {select: {all: true}, matrix: [") + rows + ", [0, 0, 0, 1]]}")
+        .notes;
+  };
+  EXPECT_THAT(notes("[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]"), IsEmpty());
+  EXPECT_THAT(notes("[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]"),
+              ElementsAre(HasSubstr("flattens")));
+  EXPECT_THAT(notes("[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0]"),
+              ElementsAre(HasSubstr("mirrors")));
+}
+
+TEST(Edit, RefusesAPointFarFromTheShape) {
+  EXPECT_EQ(error_of("- {select: {point: [1.5, 0, 3.9]}, by: [0, 0, 1]}"), "");
+  EXPECT_THAT(error_of("- {select: {point: [1.5, 0, 40]}, by: [0, 0, 1]}"),
+              AllOf(HasSubstr("line 1 of e.yaml"), HasSubstr("40 away"), HasSubstr("[4, 0, 0]")));
+}
+
 TEST(Edit, ReadsAFileThatHoldsNothingElse) {
   write("ids.txt", "3\n");
   const std::string text = "edit:\n- select: {file: ids.txt}\n  by: [0, 0, 1]\n";

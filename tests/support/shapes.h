@@ -1,8 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "geometry/shape/shape.h"
 
@@ -66,6 +71,42 @@ inline Shape soup(int n, unsigned seed = 1) {
   for (int t = 0; t < n; ++t) shape.faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   shape.V.col(2) = (shape.V.col(0) + shape.V.col(1)) / 2;
   shape.faces.push_back(shape.faces.back());
+  return shape;
+}
+
+/// The surface of the unit cubes of an nx×ny×nz grid that has(x, y, z) chooses, as quads. It is
+/// closed.
+template <class Has>
+Shape cubes(int nx, int ny, int nz, const Has& has) {
+  std::map<std::array<int, 3>, int> number;
+  Shape shape;
+  const auto has_cell = [&](const std::array<int, 3>& c) {
+    const bool is_in = c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < nx && c[1] < ny && c[2] < nz;
+    return is_in && has(c[0], c[1], c[2]);
+  };
+  const auto add_side = [&](std::array<int, 3> corner, int axis, bool is_upper) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    corner[axis] += is_upper;
+    std::vector<int> face;
+    for (const auto& [du, dv] :
+         {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+      std::array<int, 3> p = corner;
+      p[u] += du, p[v] += dv;
+      face.push_back(number.try_emplace(p, static_cast<int>(number.size())).first->second);
+    }
+    if (!is_upper) std::reverse(face.begin(), face.end());
+    shape.faces.push_back(face);
+  };
+  for (int i = 0; i < nx * ny * nz; ++i) {
+    const std::array<int, 3> cell = {i % nx, i / nx % ny, i / nx / ny};
+    for (int side = 0; side < 6 && has_cell(cell); ++side) {
+      std::array<int, 3> other = cell;
+      other[side / 2] += side % 2 == 1 ? 1 : -1;
+      if (!has_cell(other)) add_side(cell, side / 2, side % 2 == 1);
+    }
+  }
+  shape.V.resize(3, std::ssize(number));
+  for (const auto& [p, i] : number) shape.V.col(i) << p[0], p[1], p[2];
   return shape;
 }
 

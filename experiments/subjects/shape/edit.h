@@ -57,6 +57,7 @@ ConfigNode to_node(const AffineMatrix& value);
 struct ListedTarget {
   int vertex = -1;                ///< −1: it is a point
   Eigen::Vector3d place, target;  ///< [length]; the place is that of a point at rest
+  int line = 0;                   ///< of the file, from 1
 };
 
 /// One entry of an edit: a selection and what happens to it. Exactly one of fix, to, matrix,
@@ -129,6 +130,8 @@ struct ResolvedEdit {
   Handles handles;
   Eigen::Matrix3Xd targets;       ///< 3×#, of handles.moved and then of handles.points [length]
   std::vector<Motion> motions{};  ///< of each of handles.groups
+  /// What a user should know, one sentence each.
+  std::vector<std::string> notes{};
 
   /// The targets when a share of the way is done (0 to 1). `rest` is 3×#, the handles at rest
   /// [length]. What rotates goes along arcs, and everything else straight.
@@ -147,8 +150,8 @@ struct Rings {
 /// Selects by rest positions. A vertex that several entries move to the same position counts once,
 /// for the first of them, and turns as the first one says that says something about its rotation.
 /// Throws InputError (naming the entries) if an index does not exist, a selection is empty, a
-/// vertex is both fixed and moved or moved to two positions, a target is not finite, or there are
-/// no entries.
+/// vertex is both fixed and moved or moved to two positions, a point is farther from the shape than
+/// the shape is large, a target is not finite, or there are no entries.
 ResolvedEdit resolve(const std::vector<EditEntry>& entries, const Shape& shape,
                      const Rings& rings = {});
 

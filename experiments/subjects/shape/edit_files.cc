@@ -92,8 +92,8 @@ std::vector<int> read_indices(const std::filesystem::path& path, const std::stri
     if (found.empty()) continue;
     const std::optional<int> index = found.size() == 1 ? number<int>(found[0]) : std::nullopt;
     if (!index) {
-      throw InputError(fmt::format("expected a vertex index (line {} of {}), found {}", n,
-                                   path.string(), quote(line)));
+      throw InputError(fmt::format("{}: expected a vertex index (line {} of {}), found {}", where,
+                                   n, path.string(), quote(line)));
     }
     indices.push_back(*index);
   }
@@ -119,6 +119,7 @@ std::vector<ListedTarget> read_targets(const std::filesystem::path& path, int di
                                    expected_target(dimension), n, path.string(), quote(line)));
     }
     targets.push_back(*target);
+    targets.back().line = n;
   }
   if (!targets.empty()) return targets;
   throw InputError(fmt::format("{}: the file {} has no targets; {} in each line", where,

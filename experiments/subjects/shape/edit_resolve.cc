@@ -15,6 +15,7 @@ namespace {
 struct Target {
   Eigen::Vector3d position;
   int group, entry;
+  int line = 0;  ///< of the file of targets that the entry names, or 0
 };
 
 /// A matrix of one column of each item.
@@ -42,7 +43,10 @@ class Resolver {
     handles_.points = matrix(points_, std::identity());
     targets_.insert(targets_.end(), point_targets_.begin(), point_targets_.end());
     add_motions();
-    return {std::move(handles_), matrix(targets_, &Target::position), std::move(motions_)};
+    ResolvedEdit edit{std::move(handles_), matrix(targets_, &Target::position),
+                      std::move(motions_)};
+    edit.notes = std::move(notes_);
+    return edit;
   }
 
  private:
@@ -63,6 +67,7 @@ class Resolver {
     }
     const Eigen::Matrix3Xd P = shape_.V(Eigen::all, selected);
     motions_[e] = motion_of(entry, P);
+    if (entry.matrix) note_matrix(entry);
     for (std::size_t k = 0; k < selected.size(); ++k) {
       const bool exactly = entry.to && selected.size() == 1;  // avoids rounding errors
       move(selected[k], {exactly ? *entry.to : motions_[e](P.col(k)), e, e});
@@ -82,21 +87,40 @@ class Resolver {
     for (const ListedTarget& listed : entries_[e].listed) {
       const int group = static_cast<int>(motions_.size());
       const bool is_point = listed.vertex < 0;
-      if (!is_point) check_exists(listed.vertex, shape_, entries_[e].where);
+      const Target target{listed.target, group, e, listed.line};
+      if (!is_point) check_exists(listed.vertex, shape_, where(target));
       const Eigen::Vector3d rest = is_point ? listed.place : shape_.V.col(listed.vertex);
       EditEntry entry;
       entry.to = listed.target;
       motions_.push_back(motion_of(entry, rest));
       if (is_point) {
-        put_point(rest, {listed.target, group, e});
+        put_point(rest, target);
       } else {
-        move(listed.vertex, {listed.target, group, e});
+        move(listed.vertex, target);
       }
     }
   }
 
+  // A region that is mirrored or flattened is turned inside out, and so it cannot look right.
+  void note_matrix(const EditEntry& entry) {
+    const double det = entry.matrix->value.topLeftCorner<3, 3>().determinant();
+    if (det > 0) return;
+    notes_.push_back(
+        fmt::format("{}: the determinant of 'matrix' is {:.3g}, so that it {} the selection; the "
+                    "shape can only "
+                    "follow it by turning inside out or tearing",
+                    entry.where, det, det < 0 ? "mirrors" : "flattens"));
+  }
+
+  std::string where(const Target& target) const {
+    const EditEntry& entry = entries_[target.entry];
+    if (target.line == 0) return entry.where;
+    return fmt::format("{}, line {} of {}", entry.where, target.line, entry.targets->string());
+  }
+
   void put_point(const Eigen::Vector3d& p, const Target& target) {
-    check_range(target.position, target.entry, "the point " + text_of(p));
+    check_range(target, "the point " + text_of(p));
+    check_near(p, target);
     points_.push_back(p);
     point_targets_.push_back(target);
   }
@@ -127,15 +151,27 @@ class Resolver {
     handles_.fixed.push_back(i);
   }
 
-  void check_range(const Eigen::Vector3d& target, int e, const std::string& what) const {
-    if (target.cwiseAbs().maxCoeff() <= kMostLength) return;
-    throw InputError(fmt::format("{} moves {} beyond the range of numbers, to {}",
-                                 entries_[e].where, what, text_of(target)));
+  void check_range(const Target& target, const std::string& what) const {
+    if (target.position.cwiseAbs().maxCoeff() <= kMostLength) return;
+    throw InputError(fmt::format("{} moves {} beyond the range of numbers, to {}", where(target),
+                                 what, text_of(target.position)));
+  }
+
+  // Such a point has another unit or other axes than the shape.
+  void check_near(const Eigen::Vector3d& p, const Target& target) const {
+    const Eigen::Vector3d low = shape_.V.rowwise().minCoeff(), high = shape_.V.rowwise().maxCoeff();
+    const double size = (high - low).norm(), away = (p - p.cwiseMax(low).cwiseMin(high)).norm();
+    if (away <= size || size == 0) return;
+    throw InputError(
+        fmt::format("{}: the point {} is {:.3g} away from the shape, which reaches from {} to {}: "
+                    "check the unit "
+                    "and the axes",
+                    where(target), text_of(p), away, text_of(low), text_of(high)));
   }
 
   void move(int i, const Target& target) {
     const int e = target.entry;
-    check_range(target.position, e, "vertex " + std::to_string(i));
+    check_range(target, "vertex " + std::to_string(i));
     if (owner_[i] < 0) {
       owner_[i] = e;
       column_[i] = static_cast<int>(targets_.size());
@@ -150,8 +186,8 @@ class Resolver {
       return;
     }
     throw InputError(fmt::format("vertex {} is moved to {} by {} and to {} by {}; keep one", i,
-                                 text_of(first.position), entries_[owner_[i]].where,
-                                 text_of(target.position), entries_[e].where));
+                                 text_of(first.position), where(first), text_of(target.position),
+                                 where(target)));
   }
 
   const Eigen::Vector3d& turn_of(const Target& target) const { return motions_[target.group].turn; }
@@ -187,6 +223,7 @@ class Resolver {
   std::vector<Target> targets_, point_targets_;
   std::vector<Motion> motions_;  ///< by group: one for each entry, then one for each listed target
   std::vector<Eigen::Vector3d> points_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

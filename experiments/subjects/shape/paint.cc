@@ -36,7 +36,8 @@ std::vector<ReadCoat> read_coats(const ConfigNode& list) {
     }
     if (coat.select) check_selection(*coat.select, read.where);
     if (!(coat.weight > 0 && std::isfinite(coat.weight))) {
-      throw InputError(fmt::format("{}: the weight must be a positive number", read.where));
+      throw InputError(
+          fmt::format("{}: the weight is {:g}; allowed: greater than 0", read.where, coat.weight));
     }
     if (coat.select) read_selection_file(*coat.select, *node.find("select"), read.where);
   }

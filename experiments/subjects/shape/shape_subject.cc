@@ -1,6 +1,7 @@
 #include "experiments/subjects/shape/shape_subject.h"
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include "experiments/measure/detail.h"
 #include "experiments/measure/shortfalls.h"
@@ -27,10 +28,13 @@ std::vector<int> nearest_vertices(const Shape& shape, const Eigen::Matrix3Xd& po
 
 void check_input(const std::filesystem::path& input) {
   if (is_shape_file(input)) return;
+  const std::string extension = input.extension().string();
   throw InputError(fmt::format(
-      "cannot read '{}': the format '{}' is not known; shapes are read from .off, .obj, .ply, .stl "
-      "and .xyz, drawings from .png, .svg and .txt; convert it to one of them",
-      input.string(), input.extension().string()));
+      "cannot read '{}': {}; shapes are read from .off, .obj, .ply, .stl and .xyz, drawings from "
+      ".png, .jpg, .webp, .svg and .txt; convert it to one of them",
+      input.string(),
+      extension.empty() ? "its name ends with no format"
+                        : fmt::format("the format '{}' is not known", extension)));
 }
 
 class ShapeSubject : public Subject {
@@ -51,6 +55,10 @@ class ShapeSubject : public Subject {
   void read() override {
     rest_ = make_shape(options_.shape, context_.folder);
     edit_ = resolve(read_edit(options_.edit), rest_);
+    for (const std::string& note : edit_.notes) LOG(WARNING) << note;
+    if (context_.writes() && edit_.handles.targets() == 0) {
+      LOG(WARNING) << "the edit moves nothing, because it only has entries with 'fix'";
+    }
     MethodOptions method = options_.method;
     method.deformation.stiffness = painted_stiffness(options_.paint, rest_);
     deformer_ = make_deformer(method, rest_, resolve_cuts(options_.cut, rest_));
@@ -67,7 +75,7 @@ class ShapeSubject : public Subject {
     const Eigen::Matrix3Xd& V = deformer_->deformed().V;
     std::vector<std::string> result =
         missed_handles(rest_, V, edit_.handles, edit_.targets, drag_.last);
-    for (const auto& more : {tears(rest_, V), inside_out(drag_.last)}) {
+    for (const auto& more : {tears(rest_, V, drag_.last), inside_out(drag_.last)}) {
       result.insert(result.end(), more.begin(), more.end());
     }
     return result;
