@@ -80,7 +80,8 @@ bool Lines::is_joined(std::string_view line) const {
 
 void Lines::split() {
   tokens_.clear();
-  const auto separates = [this](char c) { return is_blank(c) || (continued_ && c == '\\'); };
+  const char joint = continued_ ? '\\' : ' ';
+  const auto separates = [joint](char c) { return is_blank(c) || c == joint; };
   for (std::size_t at = begin_; at < end_;) {
     if (separates(bytes_[at])) {
       ++at;

@@ -142,6 +142,24 @@ TEST_F(AnimateParticles, KeepsOtherColumnsBlanksAndLineEnds) {
   EXPECT_NEAR(x, 3, 1e-6);
 }
 
+TEST_F(AnimateParticles, ARowWithoutAPositionStaysAsItIs) {
+  expect_success(words());
+  const std::string whole = get("out.csv");
+  const std::string missing = "2,77,1.50,nan,0\r\n";
+  std::string in = get("in.csv");
+  in.insert(in.find("\n2,") + 1, missing);
+  for (const bool at_end : {false, true}) {
+    put("in.csv", at_end ? in + "0,78,NaN,0,0\n" : in);
+    const Ending ending = expect_success(words());
+    EXPECT_THAT(ending.err, HasSubstr("no position (NaN)"));
+    std::string out = get("out.csv");
+    const std::size_t at = out.find(missing);
+    ASSERT_NE(at, std::string::npos);
+    out.erase(at, missing.size());
+    EXPECT_EQ(out, at_end ? whole + "0,78,NaN,0,0\n" : whole);
+  }
+}
+
 TEST_F(AnimateParticles, WithoutAnOffsetTheOutputIsTheInput) {
   put("edit.yaml", "edit:\n  - {select: {all: true}, by: [0, 0, 0]}\n");
   expect_success(words());

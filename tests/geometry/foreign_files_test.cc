@@ -151,7 +151,7 @@ TEST(ForeignFiles, AFaceNeedsPositions) {
   EXPECT_THAT(reading("a.obj", std::string(kTriangle) + "v nan 0 0\nf 1 2 3\nf 1 2 4\n"),
               HasSubstr("face 1 names vertex 3"));
   EXPECT_THAT(reading("a.obj", std::string(kTriangle) + "v nan 0 0\nf 1 2 9\n"),
-              HasSubstr("names vertex 8 (both counted from 0), which does not exist"));
+              HasSubstr("there is no vertex 9; the file has 4"));
   EXPECT_THAT(reading("a.xyz", "nan nan nan\n"), HasSubstr("none of its 1 vertices"));
 }
 

@@ -10,6 +10,7 @@
 namespace deformlab {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// The file after its shape was read, doubled in size, its normals negated, and written.
@@ -40,7 +41,9 @@ TEST(Off, SaysWhatIsWrong) {
   EXPECT_THAT(reading("a.off", "OFF BINARY\n1 0 0\n"), HasSubstr("only the text ones"));
   EXPECT_THAT(reading("a.off", "4OFF\n1 0 0\n0 0 0 1\n"), HasSubstr("only the text ones"));
   EXPECT_THAT(reading("a.off", "OFF\n0 0 0\n"), HasSubstr("no vertices"));
-  EXPECT_THAT(reading("a.off", "OFF\n-1 0 0\n"), HasSubstr("numbers of vertices and faces"));
+  EXPECT_THAT(reading("a.off", "OFF\n-1 0 0\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("numbers of vertices and faces")));
+  EXPECT_THAT(reading("a.off", "# nothing\n"), HasSubstr("blanks and comments"));
   EXPECT_THAT(reading("a.off", "OFF\n2 0 0\n0 0 0\n"), HasSubstr("announces 2 vertices"));
   EXPECT_THAT(reading("a.off", "OFF\n2 0 0\n0 0 0\n0 x 0\n"), HasSubstr("vertex 1 (counted from"));
   EXPECT_THAT(reading("a.off", "OFF\n1 0 0\n0 nan 0\n"),
@@ -70,11 +73,13 @@ TEST(Obj, KeepsAllButPositionsAndNormals) {
 
 TEST(Obj, SaysWhatIsWrong) {
   const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_THAT(reading("a.obj", "# nothing\n"), HasSubstr("no vertices"));
+  EXPECT_THAT(reading("a.obj", "# nothing\n"), HasSubstr("no vertices, which are lines 'v x y z'"));
   EXPECT_THAT(reading("a.obj", "v 0 0\n"), HasSubstr("vertex 0"));
   EXPECT_THAT(reading("a.obj", v + "v 0 inf 0\n"), HasSubstr("vertex 3 (counted from 0), line 4"));
   EXPECT_THAT(reading("a.obj", v + "v 0 0,5 0\n"), HasSubstr("'0,5' is not a number"));
-  EXPECT_THAT(reading("a.obj", v + "f 1 2 3\nf 1 2 4\n"), HasSubstr("face 1 names vertex 3"));
+  EXPECT_THAT(reading("a.obj", v + "f 1 2 3\nf 1 2 4\n"),
+              AllOf(HasSubstr("face 1 (counted from 0), line 5"), HasSubstr("no vertex 4"),
+                    HasSubstr("the file has 3, counted from 1")));
   EXPECT_THAT(reading("a.obj", v + "f 1 2 -4\n"), HasSubstr("face 0"));
   EXPECT_THAT(reading("a.obj", v + "f 0 1 2\n"), HasSubstr("'0' is not an index"));
   EXPECT_THAT(reading("a.obj", v + "f 1 2 99999999999999999999\n"), HasSubstr("is not an index"));

@@ -1,6 +1,7 @@
 #include "experiments/subjects/particles/particle_cache.h"
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <unordered_map>
@@ -77,8 +78,17 @@ ParticleCache::ParticleCache(std::filesystem::path path) : path_(std::move(path)
     ordered = ordered && row->frame >= frames_.last;
     frames_ = {std::min(frames_.first, row->frame), std::max(frames_.last, row->frame)};
   }
-  if (rows_ == 0)
-    throw InputError(fmt::format("'{}' has no particles, only a header", path_.string()));
+  if (rows_ == 0) {
+    const char* why = reader.missing() > 0
+                          ? "no particle with a position: a coordinate of each is NaN"
+                          : "no particles, only a header";
+    throw InputError(fmt::format("'{}' has {}", path_.string(), why));
+  }
+  if (reader.missing() > 0) {
+    LOG(WARNING) << fmt::format(
+        "{}: {} of {} rows have no position (NaN): they stay as they are in the output",
+        path_.string(), reader.missing(), rows_ + reader.missing());
+  }
   if (!ordered) keep();
   for_each_frame([&](int, ParticleFrame frame) { check_ids(frame); });
 }

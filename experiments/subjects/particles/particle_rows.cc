@@ -107,9 +107,11 @@ void ParticleReader::read_header() {
 double ParticleReader::coordinate(int column) const {
   const std::string_view text = field(column);
   const std::optional<double> value = to_number(text);
-  if (!value || !(std::abs(*value) <= kMostLength)) {
-    reject(fmt::format("{} is {}; it has to be a finite number", kColumns[column],
-                       quote(std::string(text))));
+  if (!value || std::abs(*value) > kMostLength) {
+    reject(
+        fmt::format("{} is {}; it has to be a number of at most {:g}, or nan where the particle "
+                    "has no position",
+                    kColumns[column], quote(std::string(text)), kMostLength));
   }
   return *value;
 }
@@ -134,8 +136,14 @@ std::optional<ParticleRow> ParticleReader::next() {
     if (fields_.size() != header_size_) {
       reject(fmt::format("it has {} fields, but the header has {}", fields_.size(), header_size_));
     }
-    ParticleRow row{integer<int>(0), integer<std::int64_t>(1), {}, number_++, line_number_};
+    ParticleRow row{integer<int>(0), integer<std::int64_t>(1), {}, number_, line_number_};
     for (int c = 0; c < 3; ++c) row.position[c] = coordinate(2 + c);
+    if (row.position.hasNaN()) {
+      between_ += line_ + ending_;
+      ++missing_;
+      continue;
+    }
+    ++number_;
     return row;
   }
   return {};

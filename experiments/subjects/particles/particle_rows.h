@@ -29,10 +29,13 @@ class ParticleReader {
   /// Throws InputError if the file cannot be read or its header lacks a column.
   explicit ParticleReader(const std::filesystem::path& path);
 
-  /// The next row, or nothing at the end. Throws InputError (naming the line) if a row does not
-  /// have as many fields as the header, or if one of the five is not a finite number.
+  /// The next row that has a position, or nothing at the end. A row of which a coordinate is NaN
+  /// has none and is skipped. Throws InputError (naming the line) if a row does not have as many
+  /// fields as the header, or if one of the five is not a number that is allowed.
   std::optional<ParticleRow> next();
 
+  /// How many rows without a position were skipped so far.
+  std::int64_t missing() const { return missing_; }
   /// The text that `next` skipped before its last row, or before the end of the file.
   const std::string& between() const { return between_; }
   /// The text of the last row, in which only the coordinates are replaced.
@@ -53,7 +56,7 @@ class ParticleReader {
   std::vector<std::string_view> fields_;  // of line_
   std::size_t header_size_ = 0;
   std::size_t columns_[5] = {};  // where frame, id, x, y, z are
-  std::int64_t number_ = 0, line_number_ = 0;
+  std::int64_t number_ = 0, line_number_ = 0, missing_ = 0;
 };
 
 }  // namespace deformlab

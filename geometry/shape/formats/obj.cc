@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "geometry/core/files.h"
 #include "geometry/shape/formats/numbers.h"
 
 namespace deformlab::formats {
@@ -41,6 +42,7 @@ class Reader {
           fmt::format("faces of one or two corners ({}) are kept as they are, but are no surface",
                       small_faces_));
     }
+    check_vertices();
     take_points(file_, name_);
     return std::move(file_);
   }
@@ -90,6 +92,7 @@ class Reader {
     const std::size_t first = word.text.find('/');
     const std::int64_t v = absolute(word.text.substr(0, first), count(layout_.positions), where);
     if (v < 0) where.reject("there is no vertex " + quoted_ascii(word.text));
+    if (v > greatest_.vertex) greatest_ = {v, where.index, where.line};
     const std::size_t second = first == word.text.npos ? first : word.text.find('/', first + 1);
     const std::string_view index = second == word.text.npos ? "" : word.text.substr(second + 1);
     if (index.empty()) {
@@ -101,6 +104,16 @@ class Reader {
     layout_.corners.push_back({word.at + second + 1, static_cast<int>(v), static_cast<int>(vn),
                                static_cast<std::uint8_t>(index.size()), index[0] == '-'});
     return static_cast<int>(v);
+  }
+
+  /// A face may name vertices that stand behind it, so that this is known at the end only.
+  void check_vertices() const {
+    const std::size_t vertices = count(layout_.positions);
+    if (vertices == 0) cannot_read(name_, "it has no vertices, which are lines 'v x y z' in OBJ");
+    const auto [vertex, face, line] = greatest_;
+    if (vertex < static_cast<std::int64_t>(vertices)) return;
+    Location{name_, "face", face, line}.reject(fmt::format(
+        "there is no vertex {}; the file has {}, counted from 1", vertex + 1, vertices));
   }
 
   /// The normals belong to corners, not to vertices.
@@ -126,6 +139,12 @@ class Reader {
   Layout& layout_ = file_.layout;
   bool one_index_ = true;  ///< each corner so far has the same index for its vertex and its normal
   std::size_t small_faces_ = 0;
+  /// The greatest vertex that a face names, counted from 0, and where it does so first.
+  struct {
+    std::int64_t vertex = -1;
+    std::size_t face = 0;
+    int line = 0;
+  } greatest_;
   Leftovers unknown_;  ///< the first words of lines that OBJ does not have
 };
 

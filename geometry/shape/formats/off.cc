@@ -35,7 +35,7 @@ void read_keyword(const std::vector<Token>& tokens, Layout& layout, Header& head
 
 Header read_header(Lines& lines, Layout& layout, const std::string& name) {
   Header header;
-  if (!lines.next()) cannot_read(name, "it is empty");
+  if (!lines.next()) cannot_read(name, "it has nothing but blanks and comments");
   read_keyword(lines.tokens(), layout, header, name);
   std::span<const Token> counts(lines.tokens());
   counts = counts.subspan(1);
@@ -44,7 +44,9 @@ Header read_header(Lines& lines, Layout& layout, const std::string& name) {
     const std::optional<std::int64_t> value =
         i < counts.size() ? to_integer(counts[i].text) : std::nullopt;
     if (!value || *value < 0) {
-      cannot_read(name, "the numbers of vertices and faces are missing");
+      cannot_read(name, fmt::format("{}: the numbers of vertices and faces are missing, two whole "
+                                    "numbers of 0 or more",
+                                    lines.name()));
     }
     return static_cast<std::size_t>(*value);
   };
