@@ -8,8 +8,8 @@
 
 namespace deformlab {
 
-/// Why a shape has no inside, as a clause for a message ("the shape has no faces"), or nothing if its
-/// surface is closed: an even number of triangles meets at every edge. Vertices at one position
+/// Why a shape has no inside, as a clause for a message ("the shape has no faces"), or nothing if
+/// its surface is closed: an even number of triangles meets at every edge. Vertices at one position
 /// count as one.
 std::optional<std::string> why_open(const Shape& shape);
 
