@@ -2,6 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <limits>
+#include <map>
+
+#include "deformers/embedded/handle_groups.h"
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/graph_vertices.h"
@@ -10,6 +16,9 @@
 namespace deformlab {
 namespace {
 
+// Handles off a line by less than this share of its length hardly hold the roll about it: if one is
+// moved by some of its distance to the line, the shape rolls by as many tens of degrees.
+constexpr double kNearLine = 0.1;
 constexpr double kSame = 1e-6;  // a node this near to a vertex sits on it [diagonal of the shape]
 
 EmbeddedDeformation on_vertices(const Shape& pose, EmbeddedDeformationOptions options) {
@@ -42,6 +51,23 @@ std::vector<int> vertices_at(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& 
   return vertices;
 }
 
+Eigen::Vector3d direction(const Eigen::Matrix3Xd& arms) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(arms * arms.transpose())
+      .eigenvectors()
+      .col(2);
+}
+
+// The rotation vector of the shortest turn that takes the line through points near p to that
+// through q.
+Eigen::Vector3d shortest_turn(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& q) {
+  const Eigen::Matrix3Xd from = p.colwise() - p.rowwise().mean();
+  const Eigen::Matrix3Xd to = q.colwise() - q.rowwise().mean();
+  const Eigen::Vector3d before = direction(from), after = direction(to);
+  const double sign = (before.transpose() * from).dot(after.transpose() * to) < 0 ? -1 : 1;
+  const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(before, sign * after));
+  return turn.angle() * turn.axis();
+}
+
 }  // namespace
 
 AnimatedDeformation::AnimatedDeformation(const Shape& pose,
@@ -64,15 +90,53 @@ void AnimatedDeformation::compile(const Handles& handles) {
   deformation_.compile(handles);
   find_node_vertices();
   handles_ = handles;
+  find_lines();
+}
+
+// The handles of each component of the graph in which nothing is fixed, if they are nearly on a
+// line. The pose decides for all frames.
+void AnimatedDeformation::find_lines() {
+  lines_.clear();
+  const std::vector<int> component = components(deformation_.graph());
+  const Eigen::MatrixXi& nodes = deformation_.embedding().nodes;
+  std::map<int, std::vector<int>> handles_of;
+  for (std::size_t l = 0; l < handles_.moved.size(); ++l) {
+    handles_of[component[nodes(0, handles_.moved[l])]].push_back(static_cast<int>(l));
+  }
+  for (const int i : handles_.fixed) handles_of.erase(component[nodes(0, i)]);
+  const Eigen::Matrix3Xd rest = pose_.V(Eigen::all, handles_.moved);
+  for (const auto& [number, handles] : handles_of) {
+    const bool is_line = handles.size() > 1 && !spans_a_plane(rest(Eigen::all, handles), kNearLine);
+    if (is_line) lines_.push_back(handles);
+  }
+}
+
+// The rotations of a frame, in which handles on a line that nothing is said about turn with it.
+Eigen::Matrix3Xd AnimatedDeformation::with_lines(const Eigen::Matrix3Xd& rotations,
+                                                 const Eigen::Matrix3Xd& rest,
+                                                 const Eigen::Matrix3Xd& targets) const {
+  if (lines_.empty()) return rotations;
+  Eigen::Matrix3Xd result = rotations;
+  if (result.cols() == 0) {
+    result.setConstant(3, rest.cols(), std::numeric_limits<double>::quiet_NaN());
+  }
+  for (const std::vector<int>& line : lines_) {
+    const Eigen::Vector3d turn = shortest_turn(rest(Eigen::all, line), targets(Eigen::all, line));
+    for (const int l : line) {
+      if (result.col(l).hasNaN()) result.col(l) = turn;
+    }
+  }
+  return result;
 }
 
 Report AnimatedDeformation::update(const Shape& frame, const Eigen::Matrix3Xd& offsets,
                                    const Eigen::Matrix3Xd& rotations) {
   check_targets(offsets, std::ssize(handles_.moved));
-  handles_.rotations = rotations;
+  const Eigen::Matrix3Xd rest = frame.V(Eigen::all, handles_.moved), targets = rest + offsets;
+  handles_.rotations = with_lines(rotations, rest, targets);
   deformation_.repose(frame, frame.V(Eigen::all, node_vertices_));
   deformation_.compile(handles_);
-  return deformation_.update(frame.V(Eigen::all, handles_.moved) + offsets);
+  return deformation_.update(targets);
 }
 
 }  // namespace deformlab

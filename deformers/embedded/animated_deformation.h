@@ -10,6 +10,10 @@ namespace deformlab {
 /// Embedded deformation of a mesh animation (Sumner et al. 2007, section 5, "Mesh animations"). The
 /// nodes are at vertices and move with them from frame to frame, while edges and weights stay. Each
 /// frame is deformed from its own rest state, so that it does not depend on any other frame.
+///
+/// Where nothing is fixed and the handles are nearly on a line, they do not tell how the shape
+/// rolls about it, and each frame would roll as it likes. With `hold_angles` such handles turn with
+/// the line on the shortest way, so that the shape rolls as the input does.
 class AnimatedDeformation {
  public:
   /// Builds the graph on one pose. Sampled nodes are moved to the nearest vertices, each to a
@@ -35,11 +39,15 @@ class AnimatedDeformation {
 
  private:
   void find_node_vertices();
+  void find_lines();
+  Eigen::Matrix3Xd with_lines(const Eigen::Matrix3Xd& rotations, const Eigen::Matrix3Xd& rest,
+                              const Eigen::Matrix3Xd& targets) const;
 
   Shape pose_;
   EmbeddedDeformation deformation_;
   std::vector<int> node_vertices_;
   Handles handles_;
+  std::vector<std::vector<int>> lines_;  // handles that are nearly on a line and hold all of a part
 };
 
 }  // namespace deformlab

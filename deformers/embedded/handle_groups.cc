@@ -5,11 +5,6 @@
 #include <utility>
 
 namespace deformlab {
-namespace {
-
-constexpr double kFlat = 1e-3;  // singular values relative to the first: the points span no plane
-
-}  // namespace
 
 std::vector<std::vector<int>> handle_groups(Eigen::Index handles, std::span<const int> groups) {
   std::map<int, std::vector<int>> by_number;
@@ -19,11 +14,11 @@ std::vector<std::vector<int>> handle_groups(Eigen::Index handles, std::span<cons
   return result;
 }
 
-bool spans_a_plane(const Eigen::Matrix3Xd& points) {
+bool spans_a_plane(const Eigen::Matrix3Xd& points, double flat) {
   const Eigen::Matrix3Xd arms = points.colwise() - points.rowwise().mean();
   const Eigen::Vector3d s = Eigen::JacobiSVD<Eigen::Matrix3d>(arms * arms.transpose())
                                 .singularValues();  // squares of those of the arms
-  return s[1] > kFlat * kFlat * s[0];
+  return s[1] > flat * flat * s[0];
 }
 
 }  // namespace deformlab

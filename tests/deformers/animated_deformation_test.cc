@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <numbers>
 
+#include "deformers/embedded/presets.h"
 #include "deformers/embedded/stream_deformation.h"
 #include "geometry/core/error.h"
 #include "tests/support/shapes.h"
@@ -93,6 +95,28 @@ TEST(AnimatedDeformation, ARigidMotionOfInputAndOffsetsIsOneOfTheOutput) {
   // Eq. 5 counts each product of two columns once, where the norm of RᵀR − I has it twice. So what
   // is stretched by force depends a little on how it is turned, here by 3 % of the offset.
   EXPECT_LT(off_after(some_motion()), 0.05 * offsets().col(0).norm());
+}
+
+// The angle of the rotation that best takes p to q [degree].
+double turn_between(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& q) {
+  const Eigen::Matrix3d R = Eigen::umeyama(p, q, false).topLeftCorner<3, 3>();
+  return Eigen::AngleAxisd(R).angle() * 180 / std::numbers::pi;
+}
+
+// Three vertices on top of a tube that bends. Nothing but them holds the roll of the tube.
+TEST(AnimatedDeformation, HandlesOnALineDoNotLetTheShapeRoll) {
+  const Shape rest = tube(20);
+  AnimatedDeformation deformer(rest, preset_options());
+  deformer.compile({.fixed = {}, .moved = {3, 111, 231}});
+  Eigen::Matrix3Xd offsets = Eigen::Matrix3Xd::Zero(3, 3);
+  offsets.col(1) << 0, 0.3, 0.3;
+  for (const double amount : {0.0, 0.01, 0.02, 0.03}) {
+    const Shape frame = bent(rest, amount);
+    const Report report = deformer.update(frame, offsets);
+    EXPECT_EQ(report.solve.status, Status::kConverged);
+    EXPECT_LT(report.handle_max, 1e-3);
+    EXPECT_LT(turn_between(frame.V, deformer.deformed().V), 8) << amount;
+  }
 }
 
 TEST(AnimatedDeformation, WithoutOffsetsTheOutputIsTheInput) {

@@ -14,7 +14,6 @@ namespace {
 
 const char* const kGallop =
     "title: a small gallop\n"
-    "preset: sumner_2007\n"
     "animation:\n  generator: gallop\n  frames: 4\n  cycle: 24\n  cell: 0.06\n  pictured: 2\n"
     "measure: {region: {box: {min: [1.2, -1, 1.3], max: [2, 1, 2]}}}\n"
     "graph: {nodes: 60}\n"
