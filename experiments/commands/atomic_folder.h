@@ -1,32 +1,49 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
+
+#include "geometry/core/file_lock.h"
 
 namespace deformlab {
 
-/// A folder that appears complete or not at all. Files are written to a hidden folder beside it,
-/// and `commit` moves that folder to its place. Only then does it replace an older folder of the
-/// same name, and it keeps the files that others have put there. Without `commit` nothing is left.
+/// A folder of results that appears complete or not at all. Files are written to a hidden folder
+/// beside it, and `commit` exchanges the two in one step. A manifest in the folder lists what runs
+/// have written there. All other files stay, and a run that would have to replace one of them is
+/// refused. Without `commit` nothing is left. Two runs that write one folder wait for each other.
+/// What a run that was killed has left is removed.
 class AtomicFolder {
  public:
-  /// Whether a file or folder in the older folder is ours, so that it need not be kept.
-  using IsOurs = bool (*)(const std::filesystem::path& name);
-
-  /// Throws InputError if the folder cannot be made or written.
-  AtomicFolder(std::filesystem::path target, IsOurs is_ours);
+  /// `names` are files that will be written, relative to the folder. Throws InputError if the
+  /// folder cannot be made or written, or if one of these files belongs to somebody else.
+  AtomicFolder(std::filesystem::path target, const std::vector<std::string>& names);
   ~AtomicFolder();
   AtomicFolder(const AtomicFolder&) = delete;
   AtomicFolder& operator=(const AtomicFolder&) = delete;
 
+  /// Has to be called before the first file is written, with the names of all. Throws InputError as
+  /// the constructor does.
+  void begin(const std::vector<std::string>& names);
+  /// Where the files have to be written.
   const std::filesystem::path& path() const { return temporary_; }
   /// Throws InputError if the folder cannot be moved to its place.
   void commit();
 
  private:
-  std::filesystem::path target_, temporary_;
-  IsOurs is_ours_;
+  void make_parents();
+  void clean_up() const;
+  void make_temporary();
+  void keep_old();
+  void swap();
+  std::filesystem::path parent() const;
+  std::string hidden(const std::string& ending) const;
+
+  std::filesystem::path named_, target_, temporary_;
   std::vector<std::filesystem::path> made_;  ///< parents that were missing, the deepest first
+  std::optional<FileLock> lock_;
+  bool committed_ = false;
 };
 
 }  // namespace deformlab

@@ -23,8 +23,9 @@ int deform_command(const std::vector<std::string>& arguments, CommandLine line);
 int animate_command(const std::vector<std::string>& overrides, const std::string& frames,
                     const std::string& particles, CommandLine line);
 
-/// What `deformlab help` and `deformlab list` print.
+/// What `deformlab help`, `deformlab list` and `deformlab version` print.
 std::string help_text();
 std::string list_text();
+std::string version_text();
 
 }  // namespace deformlab

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -6,6 +7,7 @@
 
 #include "experiments/commands/results.h"
 #include "geometry/core/error.h"
+#include "geometry/core/file_lock.h"
 #include "geometry/core/files.h"
 
 namespace deformlab {
@@ -13,6 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+// The first line of the page. It is a comment, which readers of the page do not see.
+constexpr const char* kMark =
+    "<!-- deformlab writes this page. Without this line, runs leave the page as it is. -->\n";
 
 std::string claim_line(const Json& claim) {
   const Json& value = claim.at("measured");  // JSON has neither NaN nor infinity
@@ -85,25 +91,42 @@ std::string section_or_nothing(const fs::path& folder) {
   }
 }
 
+// Whether nothing is lost if the page is written: there is none, or a run has written it.
+bool may_write(const fs::path& page) {
+  std::error_code error;
+  if (fs::symlink_status(page, error).type() == fs::file_type::not_found) return true;
+  if (!fs::is_regular_file(page, error) || fs::file_size(page, error) == 0) return false;
+  return read_file(page).starts_with(kMark);
+}
+
 }  // namespace
 
 void write_gallery(const fs::path& results) {
+  const fs::path page = results / "README.md";
+  FileLock lock(results / ".README.md.deformlab-lock", fmt::format("'{}'", page.string()));
+  if (!may_write(page)) {
+    LOG(WARNING) << "'" << page.string() << "' was not written by deformlab and stays as it is; "
+                 << "move it away, and the next run writes the pictures and claims of all results "
+                 << "to a page of this name";
+    return;
+  }
   std::set<fs::path> folders;  // sorted
   for (const auto& entry : fs::directory_iterator(results)) {
     const bool hidden = entry.path().filename().string().starts_with(".");
     std::error_code ignored;
     if (!hidden && fs::exists(entry.path() / "metrics.json", ignored)) folders.insert(entry.path());
   }
-  std::string text =
+  std::string text = kMark;
+  text +=
       "# Results\n\n`./deformlab run configs/*.yaml` makes all results and writes this page. The "
-      "folder "
-      "of each picture also holds the config with every default (config.yaml), all measurements "
-      "(metrics.json), the steps of the solves (trace*.csv), the pictures of an animation "
-      "(frames/), "
-      "and what depends on the machine (times.json and environment.json).\n\n";
+      "folder of each picture also holds the config with every default (config.yaml), all "
+      "measurements (metrics.json), the steps of the solves (trace*.csv), the pictures of an "
+      "animation (frames/), what depends on the machine (times.json and environment.json), and the "
+      "list of these files (manifest.txt).\n\n";
   for (const fs::path& folder : folders) text += section_or_nothing(folder);
   text.pop_back();
-  write_file(results / "README.md", text);
+  write_file(page, text);
+  lock.release();
 }
 
 }  // namespace deformlab

@@ -5,6 +5,7 @@
 
 #include "energies/catalog.h"
 #include "experiments/commands/commands.h"
+#include "experiments/commands/environment.h"
 #include "experiments/config/config.h"
 #include "experiments/subjects/animation/script.h"
 #include "experiments/subjects/experiment.h"
@@ -43,7 +44,8 @@ Commands
       of one particle. The key `path` names this particle; by default the program chooses one.
 
   deformlab list               prints the energy terms and the options of embedded deformation
-  deformlab help               prints this text
+  deformlab help               prints this text, as --help does
+  deformlab version            prints the version and the commit, as --version does
   deformlab help --markdown    prints the keys as the page docs/keys.md
 
 `key=value` sets a key of the config. A dot leads to a nested key: solver.method=ceres. The value is
@@ -134,6 +136,11 @@ std::string help_text() {
       "Keys beside `edit:` in the file of an animation's edit:\n\n{}",
       kUsage, to_text(describe<ExperimentConfig>()), to_text(describe<EditEntry>()),
       to_text(describe<KeyframesOptions>()));
+}
+
+std::string version_text() {
+  const auto known = environment();
+  return fmt::format("deformlab {} (commit {})\n", known.at("deformlab"), known.at("commit"));
 }
 
 std::string list_text() {

@@ -3,10 +3,12 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
 #include "experiments/commands/commands.h"
+#include "experiments/commands/standard_streams.h"
 #include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/deformation_graph.h"
@@ -31,6 +33,14 @@ namespace {
 
 using namespace deformlab;
 
+const std::vector<std::string> kCommands{"run", "deform", "animate", "list", "help", "version"};
+
+// Libraries define further flags, some of which read files or end the program. They are no part of
+// this program's command line.
+const std::vector<std::string> kFlags{"out",     "edit",     "frames",     "particles",
+                                      "metrics", "picture",  "nodes",      "vertices",
+                                      "strict",  "markdown", "minloglevel"};
+
 int dispatch(const std::string& command, const std::vector<std::string>& arguments) {
   if (command == "run") return run_command(arguments, FLAGS_out.empty() ? "results" : FLAGS_out);
   const CommandLine line{.input = {},
@@ -46,11 +56,15 @@ int dispatch(const std::string& command, const std::vector<std::string>& argumen
     return animate_command(arguments, FLAGS_frames, FLAGS_particles, line);
   }
   if (command == "help" || command == "list") {
-    std::fputs((command == "help" ? help_text() : list_text()).c_str(), stdout);
+    print_out(command == "help" ? help_text() : list_text());
     return 0;
   }
-  throw InputError(fmt::format("unknown command {}; {}", quote(command),
-                               known_names(command, {"run", "deform", "animate", "list", "help"})));
+  if (command == "version") {
+    print_out(version_text());
+    return 0;
+  }
+  throw InputError(
+      fmt::format("unknown command {}; {}", quote(command), known_names(command, kCommands)));
 }
 
 std::string value_of(const std::string& name, const std::string& type, int argc, char** argv,
@@ -73,11 +87,10 @@ std::vector<std::string> parse_flags(int argc, char** argv) {
     const std::size_t equals = std::min(argument.find('='), argument.size());
     const std::string name = argument.substr(begin, equals - begin);
     gflags::CommandLineFlagInfo flag;
-    if (!gflags::GetCommandLineFlagInfo(name.c_str(), &flag)) {
+    if (std::ranges::find(kFlags, name) == kFlags.end() ||
+        !gflags::GetCommandLineFlagInfo(name.c_str(), &flag)) {
       throw InputError(
-          fmt::format("unknown flag {}; {}", quote(argument),
-                      known_names(name, {"out", "edit", "frames", "particles", "metrics", "picture",
-                                         "nodes", "vertices", "strict"})));
+          fmt::format("unknown flag {}; {}", quote(argument), known_names(name, kFlags)));
     }
     const std::string value = equals < argument.size() ? argument.substr(equals + 1)
                                                        : value_of(name, flag.type, argc, argv, i);
@@ -89,28 +102,33 @@ std::vector<std::string> parse_flags(int argc, char** argv) {
   return others;
 }
 
-bool asks_for_help(int argc, char** argv) {
-  if (argc < 2) return true;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--help" || argument == "-help" || argument == "-h") return true;
-  }
-  return false;
+// Whether a word stands on the command line as a flag.
+bool asks_for(const std::string& word, int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [&](const std::string& argument) {
+    return argument == "--" + word || argument == "-" + word;
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   // By default only warnings are shown, without the prefix that a log file needs.
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_WARNING;
   FLAGS_log_prefix = false;
   google::InitGoogleLogging("deformlab");
   try {
-    if (asks_for_help(argc, argv)) return dispatch("help", {});
+    if (argc < 2 || asks_for("help", argc, argv) || asks_for("h", argc, argv)) {
+      return dispatch("help", {});
+    }
+    if (asks_for("version", argc, argv)) return dispatch("version", {});
     const std::vector<std::string> arguments = parse_flags(argc, argv);
-    if (arguments.empty()) throw InputError("no command; known: run, deform, animate, list, help");
+    if (arguments.empty())
+      throw InputError(fmt::format("no command; {}", known_names("", kCommands)));
     return dispatch(arguments.front(), {arguments.begin() + 1, arguments.end()});
+  } catch (const BrokenPipe&) {
+    return 128 + SIGPIPE;  // as shells report a program that a broken pipe has ended
   } catch (const InputError& e) {
     std::fprintf(stderr, "deformlab: %s\n", e.what());
     return 2;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "experiments/commands/results.h"
+#include "experiments/commands/standard_streams.h"
 #include "experiments/config/config.h"
 #include "experiments/config/override.h"
 #include "experiments/config/suggest.h"
@@ -107,7 +108,7 @@ int run_and_write(const SubjectKind& kind, const CommandLine& line, const RunOpt
   subject->write();
   if (measures) write_file(line.metrics, metrics);
   if (draws) write_png(picture, line.picture);
-  std::fputs(subject->summary().c_str(), stdout);
+  print_out(subject->summary());
   return shortfalls.empty() ? 0 : kNotDone;
 }
 

@@ -8,6 +8,7 @@
 
 #include "experiments/commands/environment.h"
 #include "geometry/core/files.h"
+#include "geometry/core/output_calls.h"
 
 namespace deformlab {
 namespace {
@@ -179,8 +180,15 @@ std::string table_md(const Outcome& outcome) {
 
 }  // namespace
 
-bool is_result(const fs::path& name) {
-  return name.string().starts_with("trace") || name == "table.md" || name == kFrames;
+std::vector<std::string> result_names(std::size_t runs, std::size_t frames) {
+  std::vector<std::string> names{"config.yaml", "metrics.json", "times.json", "environment.json",
+                                 "picture.png"};
+  for (std::size_t i = 0; i < runs; ++i) names.push_back(trace_name(i, runs));
+  if (runs > 1) names.emplace_back("table.md");
+  for (std::size_t i = 0; i < frames; ++i) {
+    names.push_back(fmt::format("{}/{}", kFrames, picture_name(i)));
+  }
+  return names;
 }
 
 void write_results(const Outcome& outcome, const fs::path& folder) {
@@ -193,7 +201,11 @@ void write_results(const Outcome& outcome, const fs::path& folder) {
   }
   if (outcome.runs.size() > 1) write_file(folder / "table.md", table_md(outcome));
   write_png(outcome.picture, folder / "picture.png");
-  if (!outcome.frames.empty()) fs::create_directory(folder / kFrames);
+  if (!outcome.frames.empty()) {
+    if (const int error = output_calls::make_folder(folder / kFrames, 0777)) {
+      cannot_write(folder / kFrames, error);
+    }
+  }
   for (std::size_t i = 0; i < outcome.frames.size(); ++i) {
     write_png(outcome.frames[i], folder / kFrames / picture_name(i));
   }

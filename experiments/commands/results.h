@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "experiments/subjects/experiment.h"
 
@@ -13,15 +14,16 @@ namespace deformlab {
 /// sweep, picture.png, and frames/0000.png and so on for an image sequence of an animation.
 void write_results(const Outcome& outcome, const std::filesystem::path& folder);
 
-/// Whether a run may write a file of this name into its folder of results, and the next run may
-/// not.
-bool is_result(const std::filesystem::path& name);
+/// The names of the files that write_results writes for so many runs and so many pictures of a
+/// sequence, relative to the folder.
+std::vector<std::string> result_names(std::size_t runs, std::size_t frames);
 
 /// The metrics of one run as JSON, for the flag --metrics.
 std::string to_json(const Run& run);
 
 /// Rewrites README.md of a folder of results. It has a picture, the claims and the table of each
-/// experiment in the folder, in the order of names.
+/// experiment in the folder, in the order of names. A README.md without the mark of this page
+/// belongs to somebody else: it stays, and a warning says so.
 void write_gallery(const std::filesystem::path& results);
 
 }  // namespace deformlab

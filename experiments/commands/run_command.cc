@@ -6,6 +6,7 @@
 #include "experiments/commands/atomic_folder.h"
 #include "experiments/commands/commands.h"
 #include "experiments/commands/results.h"
+#include "experiments/commands/standard_streams.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -26,30 +27,28 @@ bool report_failures(const std::string& name, const Outcome& outcome) {
   for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
     const Summary& solve = outcome.runs[i].solve;
     if (solve.status != Status::kFailed) continue;
-    std::printf("%s: run %zu: the solver failed: %s\n", name.c_str(), i + 1, solve.message.c_str());
+    print_out(fmt::format("{}: run {}: the solver failed: {}\n", name, i + 1, solve.message));
     failed = true;
   }
   return !failed || expected;
 }
 
 // Returns whether every claim holds or falls short for a known reason.
-bool run_config(const fs::path& config, const std::vector<Override>& overrides,
-                const fs::path& out) {
+bool run_config(const fs::path& config, const Plan& plan, const fs::path& out) {
   const std::string name = config.stem().string();
-  AtomicFolder folder(out / name, is_result);
-  const Outcome outcome = run_experiment(config, overrides, [&](auto i, auto n, const auto& what) {
-    show_progress(name, i, n, what);
-  });
+  AtomicFolder folder(out / name, result_names(plan.runs.size(), 0));
+  const Outcome outcome = run_experiment(
+      plan, [&](auto i, auto n, const auto& what) { show_progress(name, i, n, what); });
+  folder.begin(result_names(outcome.runs.size(), outcome.frames.size()));
   write_results(outcome, folder.path());
   folder.commit();
   bool good = report_failures(name, outcome);
   for (const ClaimResult& claim : outcome.claims) {
-    std::printf("%s\n", claim.line().c_str());
+    print_out(claim.line() + "\n");
     good = good && (claim.holds || !claim.known.empty());
   }
-  std::printf("%s: %zu run%s, results in %s\n", name.c_str(), outcome.runs.size(),
-              outcome.runs.size() == 1 ? "" : "s", (out / name).string().c_str());
-  std::fflush(stdout);
+  print_out(fmt::format("{}: {} run{}, results in {}\n", name, outcome.runs.size(),
+                        outcome.runs.size() == 1 ? "" : "s", (out / name).string()));
   return good;
 }
 
@@ -82,9 +81,12 @@ int run_command(const std::vector<std::string>& arguments, const fs::path& out) 
     throw InputError("run which config? for example: deformlab run configs/sumner_figure_3.yaml");
   }
   check_names(configs);
-  for (const fs::path& config : configs) check_experiment(config, overrides);
+  std::vector<Plan> plans;
+  for (const fs::path& config : configs) plans.push_back(plan_experiment(config, overrides));
   bool good = true;
-  for (const fs::path& config : configs) good = run_config(config, overrides, out) && good;
+  for (std::size_t i = 0; i < configs.size(); ++i) {
+    good = run_config(configs[i], plans[i], out) && good;
+  }
   write_gallery(out);
   return good ? 0 : 1;
 }

@@ -93,6 +93,10 @@ void read_value(const ConfigNode& node, const std::string& name, int& value) {
   read_number(node, name, value, whole_number<int>());
 }
 
+void read_value(const ConfigNode& node, const std::string& name, std::int64_t& value) {
+  read_number(node, name, value, whole_number<std::int64_t>());
+}
+
 void read_value(const ConfigNode& node, const std::string& name, std::uint64_t& value) {
   read_number(node, name, value, whole_number<std::uint64_t>());
 }
@@ -176,6 +180,8 @@ InputError located(const OptionError& error, const ConfigNode& map, const std::s
 ConfigNode to_node(bool value) { return scalar(value ? "true" : "false"); }
 
 ConfigNode to_node(int value) { return scalar(std::to_string(value)); }
+
+ConfigNode to_node(std::int64_t value) { return scalar(std::to_string(value)); }
 
 ConfigNode to_node(std::uint64_t value) { return scalar(std::to_string(value)); }
 

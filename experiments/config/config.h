@@ -15,10 +15,11 @@
 #include "geometry/core/options.h"
 
 /// Reading, writing and help of options structs, which describe their fields as
-/// geometry/core/options.h says. A field may be bool, int, std::uint64_t, double, an enumeration
-/// with names, std::string, std::filesystem::path, Eigen::Vector3d, std::map<std::string, double>,
-/// the settings of energy terms by their names, ConfigNode (which is kept as it is), a struct with
-/// fields, a std::map of such structs by name, or a std::vector or std::optional of these.
+/// geometry/core/options.h says. A field may be bool, int, std::int64_t, std::uint64_t, double, an
+/// enumeration with names, std::string, std::filesystem::path, Eigen::Vector3d,
+/// std::map<std::string, double>, the settings of energy terms by their names, ConfigNode (which is
+/// kept as it is), a struct with fields, a std::map of such structs by name, or a std::vector or
+/// std::optional of these.
 namespace deformlab {
 
 /// One line of help. Fields of nested structs have dotted names. Those in lists have names like
@@ -46,6 +47,7 @@ std::string to_text(const std::vector<FieldHelp>& fields);
 // one weight keeps the defaults of the others.
 void read_value(const ConfigNode& node, const std::string& name, bool& value);
 void read_value(const ConfigNode& node, const std::string& name, int& value);
+void read_value(const ConfigNode& node, const std::string& name, std::int64_t& value);
 void read_value(const ConfigNode& node, const std::string& name, std::uint64_t& value);
 void read_value(const ConfigNode& node, const std::string& name, double& value);
 void read_value(const ConfigNode& node, const std::string& name, std::string& value);
@@ -85,6 +87,7 @@ decltype(auto) with_lines_of(const ConfigNode& root, Action&& action) {
 // Writing: each overload makes the node from which the same value is read.
 ConfigNode to_node(bool value);
 ConfigNode to_node(int value);
+ConfigNode to_node(std::int64_t value);
 ConfigNode to_node(std::uint64_t value);
 ConfigNode to_node(double value);
 ConfigNode to_node(const std::string& value);

@@ -2,24 +2,20 @@
 
 #include <fmt/format.h>
 #include <yaml-cpp/depthguard.h>
-#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "experiments/config/suggest.h"
+#include "experiments/config/yaml_check.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
 namespace deformlab {
 namespace {
-
-constexpr int kMaxNodes = 1'000'000;
-constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
 
 std::string place(const std::shared_ptr<const ConfigSource>& source, int line) {
   if (!source) return "default";
@@ -31,44 +27,6 @@ std::string place(const std::shared_ptr<const ConfigSource>& source, int line) {
   throw InputError(fmt::format(
       "nested deeper than {} levels ({}); is a bracket left open, or does an alias contain itself?",
       kMaxConfigDepth, where));
-}
-
-/// Throws at the start of a second document. YAML::Load would ignore it, and YAML::LoadAll never
-/// ends if stray text, such as a comma at the beginning, makes empty documents without end.
-class SecondDocument : public YAML::EventHandler {
- public:
-  explicit SecondDocument(std::shared_ptr<const ConfigSource> source)
-      : source_(std::move(source)) {}
-
-  void OnDocumentStart(const YAML::Mark& mark) override {
-    if (++count_ < 2) return;
-    throw InputError(
-        fmt::format("a second YAML document, or a stray sign before it ({}); keep one document",
-                    place(source_, mark.line + 1)));
-  }
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                  YAML::EmitterStyle::value) override {}
-  void OnMapEnd() override {}
-
- private:
-  std::shared_ptr<const ConfigSource> source_;
-  int count_ = 0;
-};
-
-void check_single_document(const std::string& text, std::shared_ptr<const ConfigSource> source) {
-  std::istringstream stream(text);
-  YAML::Parser parser(stream);
-  SecondDocument handler(std::move(source));
-  while (parser.HandleNextDocument(handler)) {
-  }
 }
 
 /// Copies yaml-cpp's tree into ours, and throws for what a config may not contain.
@@ -101,10 +59,10 @@ class Converter {
  private:
   void check_limits(const ConfigNode& node, int depth) {
     if (depth > kMaxConfigDepth) throw_too_deep(node.where());
-    if (++count_ > kMaxNodes) {
+    if (++count_ > kMaxConfigValues) {  // only an alias in itself passes check_yaml
       throw InputError(
           fmt::format("more than {} values ({}) with all aliases expanded; make the file smaller",
-                      kMaxNodes, node.where()));
+                      kMaxConfigValues, node.where()));
     }
   }
 
@@ -142,21 +100,19 @@ class Converter {
   }
 
   std::shared_ptr<const ConfigSource> source_;
-  int count_ = 0;
+  std::size_t count_ = 0;
 };
 
 /// Unlike read_file, this also reads a pipe, so that a shell can generate the config of a run.
 std::string read_text(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) cannot_read(path, "it is a folder");
-  if (!std::filesystem::exists(path, ignored)) cannot_read(path, "no such file");
+  check_readable(path, true);
   std::ifstream file(path, std::ios::binary);
-  std::string text(kMaxBytes + 1, '\0');
   if (!file) cannot_read(path, "permission denied");
+  std::string text(kMaxConfigBytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad()) cannot_read(path, "reading failed");
-  if (text.size() > kMaxBytes) cannot_read(path, "larger than 32 MiB");
+  if (text.size() > kMaxConfigBytes) cannot_read(path, "larger than 32 MiB");
   return text;
 }
 
@@ -236,7 +192,7 @@ std::string ConfigNode::found() const {
 ConfigNode parse_yaml(const std::string& text, std::shared_ptr<const ConfigSource> source) {
   YAML::Node document;
   try {
-    check_single_document(text, source);
+    check_yaml(text, source);
     document = YAML::Load(text);
   } catch (const YAML::DeepRecursion& error) {
     throw_too_deep(place(source, error.mark.line + 1));

@@ -69,36 +69,6 @@ void check_swept_keys(const ConfigNode& sweep) {
   }
 }
 
-// A config that was read completely: no key is unknown, and no value has a wrong type or is out of
-// range.
-struct Plan {
-  ExperimentConfig config;
-  std::vector<SweptRun> combinations;
-  std::vector<RunOptions> runs;
-  std::vector<ConfigNode> roots;         ///< the config of each run
-  std::optional<std::size_t> reference;  ///< the run with which all runs are compared
-};
-
-Plan plan(const std::filesystem::path& path, const std::vector<Override>& overrides) {
-  const ConfigNode root = with_overrides(load_config(path), overrides);
-  Plan result{read(root), {}, {}, {}, {}};
-  check(result.config.run.picture);
-  for (const Claim& claim : result.config.claims) check_form(claim);
-  check_not_swept(overrides, result.config.sweep);
-  check_swept_keys(result.config.sweep);
-  result.combinations = expand_sweep(result.config.sweep);
-  for (const auto& combination : result.combinations) {
-    const ConfigNode& its = result.roots.emplace_back(with_overrides(root, combination.overrides));
-    const RunOptions& options = result.runs.emplace_back(read(its).run);
-    check_run_options(options, its);
-    with_lines_of(its, [&] { kind_of(options).make(options, {path.parent_path(), {}})->check(); });
-  }
-  if (result.config.run.measure.reference.kind != ConfigNode::Kind::kNull) {
-    result.reference = find_reference(result.config.run.measure.reference, result.combinations);
-  }
-  return result;
-}
-
 // The pictures of all runs. Kinds of subjects that are pictured alike share a book.
 class Library {
  public:
@@ -160,13 +130,27 @@ std::string label(const MeasuredRun& run) {
   return text;
 }
 
-void check_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides) {
-  plan(path, overrides);
+Plan plan_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides) {
+  const ConfigNode root = with_overrides(load_config(path), overrides);
+  Plan result{path.parent_path(), read(root), {}, {}, {}, {}};
+  check(result.config.run.picture);
+  for (const Claim& claim : result.config.claims) check_form(claim);
+  check_not_swept(overrides, result.config.sweep);
+  check_swept_keys(result.config.sweep);
+  result.combinations = expand_sweep(result.config.sweep);
+  for (const auto& combination : result.combinations) {
+    const ConfigNode& its = result.roots.emplace_back(with_overrides(root, combination.overrides));
+    const RunOptions& options = result.runs.emplace_back(read(its).run);
+    check_run_options(options, its);
+    with_lines_of(its, [&] { kind_of(options).make(options, {result.folder, {}})->check(); });
+  }
+  if (result.config.run.measure.reference.kind != ConfigNode::Kind::kNull) {
+    result.reference = find_reference(result.config.run.measure.reference, result.combinations);
+  }
+  return result;
 }
 
-Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
-                       const Progress& progress) {
-  const Plan planned = plan(path, overrides);
+Outcome run_experiment(const Plan& planned, const Progress& progress) {
   Outcome outcome;
   outcome.config = planned.config;
   outcome.resolved = to_node(outcome.config);
@@ -177,9 +161,8 @@ Outcome run_experiment(const std::filesystem::path& path, const std::vector<Over
     settings.settings = planned.combinations[i].settings;
     progress(i + 1, count, label(settings));
     const std::string caption = count > 1 ? label(settings) : "deformed";
-    outcome.runs.push_back(with_lines_of(planned.roots[i], [&] {
-      return run(planned.runs[i], path.parent_path(), caption, library);
-    }));
+    outcome.runs.push_back(with_lines_of(
+        planned.roots[i], [&] { return run(planned.runs[i], planned.folder, caption, library); }));
     outcome.runs.back().measured.settings = settings.settings;
   }
   if (planned.reference) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,13 +50,24 @@ struct Outcome {
 /// Called before each run, with its number from 1, the number of runs, and what it sets.
 using Progress = std::function<void(std::size_t, std::size_t, const std::string&)>;
 
-/// Runs the config at `path` with the overrides applied: each combination of its sweep, then the
-/// claims, then the picture. Throws InputError for anything in the config that cannot be used.
-Outcome run_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides,
-                       const Progress& progress);
+/// A config that was read completely: no key is unknown, and no value has a wrong type or is out of
+/// range.
+struct Plan {
+  std::filesystem::path folder;  ///< of the config
+  ExperimentConfig config;
+  std::vector<SweptRun> combinations;
+  std::vector<RunOptions> runs;
+  std::vector<ConfigNode> roots;         ///< the config of each run
+  std::optional<std::size_t> reference;  ///< the run with which all runs are compared
+};
 
-/// Throws the InputError that run_experiment would throw for the config itself, before any work.
-void check_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides);
+/// Reads the config at `path`, which may be a pipe, once, and applies the overrides. Throws
+/// InputError for anything in the config that cannot be used.
+Plan plan_experiment(const std::filesystem::path& path, const std::vector<Override>& overrides);
+
+/// Runs each combination of a config's sweep, then checks the claims, then draws the picture.
+/// Throws InputError for anything that the runs read and cannot use.
+Outcome run_experiment(const Plan& plan, const Progress& progress);
 
 /// `ceres, nodes 425`: what a run sets. The name of a number is the last part of its key. Empty for
 /// a config without a sweep.

@@ -1,12 +1,12 @@
 #include "experiments/subjects/outputs.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "geometry/core/error.h"
+#include "geometry/core/files.h"
 
 namespace deformlab {
 namespace {
@@ -26,10 +26,13 @@ void check_output(const Output& output) {
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
     throw InputError(fmt::format("{}it is a folder or a device; name a file", cannot));
   }
-  const fs::path trial = fmt::format("{}.partial{}", file, getpid());
-  if (!std::ofstream(trial))
-    throw InputError(fmt::format("{}its folder takes no new file", cannot));
-  fs::remove(trial, error);
+  remove_leftovers(folder.empty() ? "." : folder);
+  try {
+    AtomicFile(file).discard();
+  } catch (const InputError& e) {
+    const std::string without_flag = fmt::format("cannot write '{}': ", file), what = e.what();
+    throw InputError(cannot + what.substr(std::min(without_flag.size(), what.size())));
+  }
 }
 
 bool same_file(const std::string& a, const std::string& b) {

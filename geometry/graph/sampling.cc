@@ -16,6 +16,7 @@
 
 #include "geometry/graph/deformation_graph.h"
 #include "geometry/graph/loose_vertices.h"
+#include "geometry/graph/thin_out.h"
 
 namespace deformlab {
 namespace {
@@ -179,24 +180,6 @@ class Elimination {
 
 Eigen::Matrix3Xd pick(const Eigen::Matrix3Xd& points, const std::vector<int>& indices) {
   return points(Eigen::all, indices);
-}
-
-// Removes the points that are closest to a neighbour until m remain.
-void thin_out(Eigen::Matrix3Xd& g, int m) {
-  std::vector<int> kept(g.cols());
-  std::iota(kept.begin(), kept.end(), 0);
-  while (static_cast<int>(kept.size()) > m) {
-    std::size_t crowded = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t a = 0; a < kept.size(); ++a) {
-      for (std::size_t b = 0; b < a; ++b) {
-        const double distance = (g.col(kept[a]) - g.col(kept[b])).squaredNorm();
-        if (distance < least) least = distance, crowded = a;
-      }
-    }
-    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(crowded));
-  }
-  g = pick(g, kept);
 }
 
 std::vector<int> all_distinct(Elimination& elimination, int m) {

@@ -9,7 +9,7 @@ anchors() {
 }
 
 status=0
-for page in README.md CHANGELOG.md CONTRIBUTING.md docs/*.md; do
+for page in README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md docs/*.md; do
   # Code is no link: what stands in fences or between backticks is left out.
   links=$(awk '/^ *```/ { code = !code; next } !code' "$page" | sed 's/`[^`]*`//g' |
     grep -o '](\([^)]*\))' | sed 's/^](//; s/)$//' || true)

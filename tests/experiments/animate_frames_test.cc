@@ -294,6 +294,18 @@ TEST_F(AnimateResumed, MakesAgainWhatWasTakenAway) {
   expect_as_in_one_run();
 }
 
+TEST_F(AnimateResumed, MakesAgainWhatIsNotAsItWasWritten) {
+  start_and_kill("out-004.obj");
+  put("out-001.obj", "");
+  std::string changed = get("out-002.obj");
+  changed[changed.find("v ") + 2] = '7';
+  put("out-002.obj", changed);
+  const std::string progress = get("out-%03d.obj.progress");
+  put("out-%03d.obj.progress", progress + "frame 99 12");  // the kill came while it was written
+  expect_success(words());
+  expect_as_in_one_run();
+}
+
 TEST_F(AnimateResumed, StartsOverWhereAFrameOrTheEditChanged) {
   for (const char* change : {"in-001.obj", "edit.yaml"}) {
     start_and_kill("out-004.obj");

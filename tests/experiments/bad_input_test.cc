@@ -33,6 +33,9 @@ TEST_P(Refuses, WithAClearMessage) {
   put("c.yaml", kExperiment);
   put("out.off", "what was there before");
   put("results/c/metrics.json", "an older result");
+  put("results/c/manifest.txt",
+      "deformlab has written these files. Its next run into this folder replaces them, and leaves "
+      "all others.\nmetrics.json\n");
   for (const auto& [name, bytes] : GetParam().files) put(name, bytes);
   expect_refused(GetParam().arguments, GetParam().words);
 }

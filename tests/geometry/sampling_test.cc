@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <chrono>
 #include <cmath>
 #include <random>
 
 #include "geometry/core/error.h"
+#include "geometry/graph/thin_out.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {
@@ -139,6 +141,57 @@ TEST(SampledNodes, DoesNotDependOnTheUnitOfLength) {
   const Eigen::Matrix3Xd g = sample_nodes(plane, 40, 3);
   plane.V *= 1024;
   EXPECT_EQ(sample_nodes(plane, 40, 3), 1024 * g);
+}
+
+// The rule of thin_out by trying all pairs, again and again.
+Eigen::Matrix3Xd thinned_by_all_pairs(Eigen::Matrix3Xd g, int m) {
+  while (g.cols() > m) {
+    Eigen::Index crowded = 0;
+    double least = INFINITY;
+    for (Eigen::Index a = 0; a < g.cols(); ++a) {
+      for (Eigen::Index b = 0; b < a; ++b) {
+        const double distance = (g.col(a) - g.col(b)).squaredNorm();
+        if (distance < least) least = distance, crowded = a;
+      }
+    }
+    const Eigen::Index after = g.cols() - crowded - 1;
+    g.middleCols(crowded, after) = g.rightCols(after).eval();
+    g.conservativeResize(3, g.cols() - 1);
+  }
+  return g;
+}
+
+Eigen::Matrix3Xd lattice(int n) {
+  Eigen::Matrix3Xd g(3, n * n * n);
+  for (int i = 0; i < g.cols(); ++i)
+    g.col(i) << 0.1 * (i % n), 0.1 * (i / n % n), 0.1 * (i / n / n);
+  return g;
+}
+
+TEST(ThinOut, GivesTheSameAsAllPairs) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform;
+  Eigen::Matrix3Xd anywhere(3, 150);
+  for (double& x : anywhere.reshaped()) x = uniform(random);
+  Eigen::Matrix3Xd copies(3, 60);
+  for (Eigen::Index i = 0; i < copies.cols(); ++i) copies.col(i) = anywhere.col(i % 20);
+  for (const Eigen::Matrix3Xd& g : {anywhere, lattice(5), copies}) {
+    for (const int m : {1, 2, 19, 59, 1000}) {
+      Eigen::Matrix3Xd thinned = g;
+      thin_out(thinned, m);
+      EXPECT_EQ(thinned, thinned_by_all_pairs(g, m)) << m;
+    }
+  }
+}
+
+TEST(ThinOut, ALatticeTakesLittleTime) {
+  Eigen::Matrix3Xd g = lattice(30);
+  const auto begin = std::chrono::steady_clock::now();
+  thin_out(g, 16000);
+  EXPECT_EQ(g.cols(), 16000);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  Shape points{lattice(30), Eigen::Matrix3Xd(3, 0), {}};
+  EXPECT_EQ(sample_nodes(points, 16000, 1).cols(), 16000);
 }
 
 }  // namespace

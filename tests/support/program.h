@@ -29,10 +29,11 @@ struct Ending {
 };
 
 /// Starts deformlab in `folder` and waits for its end; a run of over two minutes is a hang.
-inline Ending start_program(const std::filesystem::path& folder, Words arguments) {
+inline Ending start_program(const std::filesystem::path& folder, Words arguments,
+                            const std::string& program = DEFORMLAB_PROGRAM_PATH) {
   constexpr unsigned kMostSeconds = 120;
   const std::string out = folder.string() + ".stdout", err = folder.string() + ".stderr";
-  arguments.insert(arguments.begin(), DEFORMLAB_PROGRAM_PATH);
+  arguments.insert(arguments.begin(), program);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);

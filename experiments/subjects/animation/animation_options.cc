@@ -42,7 +42,7 @@ void check_animation(const RunOptions& options, const RunContext& context) {
 }
 
 void check_files(const CommandLine& c, const FrameFiles& frames, const FramePattern& out) {
-  const int first = frames.range().first;
+  const FrameNumber first = frames.range().first;
   check_outputs({frames.pattern().path(first).string(), c.edit},
                 {{out.path(first).string(), "--out"},
                  {out.text() + kProgressEnding, "--out"},
@@ -62,7 +62,8 @@ std::string name_of_file(const RunContext& context, const std::string& flag) {
 
 SeenFrames frames_to_see(const AnimationOptions& o, const FrameRange& range,
                          const RunContext& context) {
-  const int count = context.draws() ? std::min(o.pictured, range.count()) : 0;
+  const int count =
+      context.draws() ? static_cast<int>(std::min<FrameNumber>(o.pictured, range.count())) : 0;
   return {evenly_spread(range, count), o.sequence};
 }
 

@@ -27,7 +27,7 @@ struct AnimationOptions {
   double bend = 0;      ///< how far the jet turns upwards [degree]
   double cell = 0.031;  ///< mean distance of the quadruped's vertices [length]
   KeyframesOptions keyframes;
-  std::optional<int> path;
+  std::optional<std::int64_t> path;
   int pictured = 6;
   SequenceOptions sequence;
 

@@ -30,18 +30,21 @@ void check_pictured(int pictured, int most, const std::string& name) {
                     fmt::format("; allowed: 1 to {}, the number of frames", most));
 }
 
-std::vector<int> evenly_spread(const FrameRange& range, int count) {
-  std::vector<int> frames;
+std::vector<FrameNumber> evenly_spread(const FrameRange& range, int count) {
+  std::vector<FrameNumber> frames;
   for (int i = 0; i < count; ++i) {
-    frames.push_back(range.first + static_cast<int>(std::int64_t{i} * range.count() / count));
+    frames.push_back(range.first + i * (range.count() / count) +
+                     i * (range.count() % count) / count);
   }
   return frames;
 }
 
-SeenFrames::SeenFrames(const std::vector<int>& sheet, const SequenceOptions& sequence)
+SeenFrames::SeenFrames(const std::vector<FrameNumber>& sheet, const SequenceOptions& sequence)
     : sheet_(sheet), every_(sequence.every) {}
 
-bool SeenFrames::is_in_sheet(int frame) const { return std::ranges::binary_search(sheet_, frame); }
+bool SeenFrames::is_in_sheet(FrameNumber frame) const {
+  return std::ranges::binary_search(sheet_, frame);
+}
 
 void AnimationBook::add(const SeenFrames& frames, const DeformationGraph& graph,
                         const std::string& caption) {

@@ -37,7 +37,7 @@ void check(const SequenceOptions& options, int frames);
 void check_pictured(int pictured, int most, const std::string& name);
 
 /// `count` frames of a range, evenly spread, beginning with the first.
-std::vector<int> evenly_spread(const FrameRange& range, int count);
+std::vector<FrameNumber> evenly_spread(const FrameRange& range, int count);
 
 /// What a picture shows of one frame of an animation: the input, the output, the handles (3×n)
 /// [length], and the vertices that are tinted.
@@ -50,19 +50,19 @@ struct SeenFrame {
 /// The frames of one run that are pictured. They are collected during the run.
 class SeenFrames {
  public:
-  SeenFrames(const std::vector<int>& sheet, const SequenceOptions& sequence);
+  SeenFrames(const std::vector<FrameNumber>& sheet, const SequenceOptions& sequence);
 
-  bool wants(int frame) const { return is_in_sheet(frame) || is_in_sequence(frame); }
-  void add(int frame, SeenFrame seen) { seen_[frame] = std::move(seen); }
+  bool wants(FrameNumber frame) const { return is_in_sheet(frame) || is_in_sequence(frame); }
+  void add(FrameNumber frame, SeenFrame seen) { seen_[frame] = std::move(seen); }
 
-  bool is_in_sheet(int frame) const;
-  bool is_in_sequence(int frame) const { return every_ > 0 && frame % every_ == 0; }
-  const std::map<int, SeenFrame>& all() const { return seen_; }
+  bool is_in_sheet(FrameNumber frame) const;
+  bool is_in_sequence(FrameNumber frame) const { return every_ > 0 && frame % every_ == 0; }
+  const std::map<FrameNumber, SeenFrame>& all() const { return seen_; }
 
  private:
-  std::vector<int> sheet_;
+  std::vector<FrameNumber> sheet_;
   int every_;
-  std::map<int, SeenFrame> seen_;
+  std::map<FrameNumber, SeenFrame> seen_;
 };
 
 /// The pictures of animations. The contact sheet has some frames of the input in one row, and below
@@ -95,7 +95,7 @@ class AnimationBook : public Book {
   int runs_ = 0, columns_ = 1;
   std::vector<std::unique_ptr<Shape>> shapes_;  // the panels point at them
   std::vector<Panel> sheet_;                    // row by row
-  std::map<int, std::vector<Panel>> sequence_;
+  std::map<FrameNumber, std::vector<Panel>> sequence_;
 };
 
 /// What all kinds of animations have in common.

@@ -64,14 +64,14 @@ std::vector<double> lengths_of(const std::vector<std::array<int, 2>>& edges,
 
 }  // namespace
 
-void FrameOrder::begin(const Shape& shape, int frame) {
+void FrameOrder::begin(const Shape& shape, FrameNumber frame) {
   first_ = frame;
   vertices_ = shape.V.cols();
   faces_ = sorted_faces(shape.faces);
   edges_ = faces_.empty() ? nearest_pairs(shape.V) : edges_of(faces_);
 }
 
-void FrameOrder::add(const Shape& shape, int frame, const std::filesystem::path& path) {
+void FrameOrder::add(const Shape& shape, FrameNumber frame, const std::filesystem::path& path) {
   const std::string name = fmt::format("frame {}, '{}',", frame, path.string());
   if (!first_) begin(shape, frame);
   if (shape.V.cols() != vertices_) {

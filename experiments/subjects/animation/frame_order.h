@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/subjects/animation/frame_pattern.h"
 #include "geometry/shape/shape.h"
 
 namespace deformlab {
@@ -17,10 +18,10 @@ namespace deformlab {
 class FrameOrder {
  public:
   /// Throws InputError (naming the frame and its file).
-  void add(const Shape& shape, int frame, const std::filesystem::path& path);
+  void add(const Shape& shape, FrameNumber frame, const std::filesystem::path& path);
 
  private:
-  void begin(const Shape& shape, int frame);
+  void begin(const Shape& shape, FrameNumber frame);
   void check_lengths(const Shape& shape, const std::string& name);
 
   using Faces = std::vector<std::vector<int>>;
@@ -30,8 +31,8 @@ class FrameOrder {
   Faces faces_;  // each from its least vertex on, in ascending order
   std::vector<Edge> edges_;
   std::vector<double> lengths_;  // in the last frame [its diagonal]
-  std::optional<int> first_;
-  int last_ = 0;
+  std::optional<FrameNumber> first_;
+  FrameNumber last_ = 0;
 };
 
 }  // namespace deformlab

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
@@ -12,8 +13,6 @@ namespace deformlab {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kMostDigits = 9;  // so that the number of a frame is an int
 
 bool same_folder(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
@@ -48,30 +47,37 @@ FramePattern::FramePattern(const std::string& text, const std::string& pattern_n
 
 fs::path FramePattern::folder() const { return parent_.empty() ? fs::path(".") : parent_; }
 
-fs::path FramePattern::path(int frame) const {
+fs::path FramePattern::path(FrameNumber frame) const {
   const std::string number = std::to_string(frame);
   const std::string zeros(width_ > number.size() ? width_ - number.size() : 0, '0');
   return parent_ / (prefix_ + zeros + number + suffix_);
 }
 
-std::optional<int> FramePattern::frame_of(const std::string& filename) const {
+std::optional<FrameNumber> FramePattern::frame_of(const std::string& filename) const {
   if (!filename.starts_with(prefix_) || !filename.ends_with(suffix_)) return {};
   if (filename.size() <= prefix_.size() + suffix_.size()) return {};
   const std::string number =
       filename.substr(prefix_.size(), filename.size() - prefix_.size() - suffix_.size());
-  if (number.size() > kMostDigits || !std::ranges::all_of(number, is_digit)) return {};
-  int frame = 0;
-  std::from_chars(number.data(), number.data() + number.size(), frame);
+  if (!std::ranges::all_of(number, is_digit)) return {};
+  FrameNumber frame = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), frame);
+  if (error != std::errc()) return {};
   if (path(frame).filename() != filename) return {};
   return frame;
+}
+
+FrameNumber FrameRange::count() const {
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<FrameNumber>::max());
+  const auto steps = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
+  return static_cast<FrameNumber>(steps < kMost ? steps + 1 : kMost);
 }
 
 FrameRange find_frames(const FramePattern& pattern) {
   std::error_code error;
   std::optional<FrameRange> range;
-  int found = 0;
+  FrameNumber found = 0;
   for (const auto& entry : fs::directory_iterator(pattern.folder(), error)) {
-    const std::optional<int> frame = pattern.frame_of(entry.path().filename().string());
+    const std::optional<FrameNumber> frame = pattern.frame_of(entry.path().filename().string());
     if (!frame) continue;
     if (!range) range = {*frame, *frame};
     range = {std::min(range->first, *frame), std::max(range->last, *frame)};
@@ -81,7 +87,7 @@ FrameRange find_frames(const FramePattern& pattern) {
     throw InputError(fmt::format("no file matches {}; the first could be {}", pattern.description(),
                                  quote(pattern.path(0).string())));
   }
-  for (int frame = range->first; found < range->count(); ++frame) {
+  for (FrameNumber frame = range->first; found < range->count(); ++frame) {
     if (fs::exists(pattern.path(frame), error)) continue;
     throw InputError(fmt::format("frame {} is missing: there is no {}, but there are {} and {}",
                                  frame, quote(pattern.path(frame).string()),
@@ -102,7 +108,8 @@ void check_no_frame(const std::string& path, const std::string& flag, const Fram
 
 void check_apart(const FramePattern& in, const FramePattern& out, const FrameRange& range) {
   if (!same_folder(in.folder(), out.folder())) return;
-  for (int frame = range.first; frame <= range.last; ++frame) {
+  for (FrameNumber i = 0; i < range.count(); ++i) {
+    const FrameNumber frame = range.first + i;
     const fs::path written = out.path(frame);
     if (!in.frame_of(written.filename().string())) continue;
     throw InputError(fmt::format("{} would write {}, which {} reads; name other files",

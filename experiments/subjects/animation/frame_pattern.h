@@ -1,10 +1,19 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace deformlab {
+
+/// The number of a frame. All 64-bit integers are allowed.
+using FrameNumber = std::int64_t;
+
+/// How many frames lie between two, rounded where there are more than 2⁵³.
+inline double frames_between(FrameNumber from, FrameNumber to) {
+  return static_cast<double>(static_cast<long double>(to) - static_cast<long double>(from));
+}
 
 /// The files of a sequence, one for each frame: `horse-%03d.obj` stands for horse-000.obj,
 /// horse-001.obj and so on.
@@ -14,9 +23,9 @@ class FramePattern {
   /// %0Nd, or has it in the name of a folder.
   FramePattern(const std::string& text, const std::string& pattern_name);
 
-  std::filesystem::path path(int frame) const;
+  std::filesystem::path path(FrameNumber frame) const;
   /// The frame that a file of this name belongs to, if the pattern matches it.
-  std::optional<int> frame_of(const std::string& filename) const;
+  std::optional<FrameNumber> frame_of(const std::string& filename) const;
 
   const std::string& text() const { return text_; }
   /// "--frames 'horse-%03d.obj'"
@@ -32,8 +41,9 @@ class FramePattern {
 
 /// The numbers of the frames of a sequence, from the first to the last.
 struct FrameRange {
-  int first = 0, last = 0;
-  int count() const { return last - first + 1; }
+  FrameNumber first = 0, last = 0;
+  /// At most the greatest number of a frame, although a range of all numbers has more.
+  FrameNumber count() const;
 };
 
 /// All frames that the pattern matches. Throws InputError if there is none, or if one is missing

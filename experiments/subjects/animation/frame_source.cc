@@ -17,7 +17,9 @@ class GallopFrames : public FrameSource {
       : gallop_(options.cell), frames_(options.frames), cycle_(options.cycle) {}
 
   FrameRange range() const override { return {0, frames_ - 1}; }
-  Shape read(int frame) const override { return gallop_.pose(frame / cycle_); }
+  Shape read(FrameNumber frame) const override {
+    return gallop_.pose(static_cast<double>(frame) / cycle_);
+  }
 
  private:
   Gallop gallop_;
@@ -30,7 +32,7 @@ class GallopFrames : public FrameSource {
 FrameFiles::FrameFiles(const std::string& pattern, const std::string& name)
     : pattern_(pattern, name), range_(find_frames(pattern_)) {}
 
-Shape FrameFiles::read(int frame) const { return read_shape(pattern_.path(frame)); }
+Shape FrameFiles::read(FrameNumber frame) const { return read_shape(pattern_.path(frame)); }
 
 void FrameFiles::check(Fingerprint& fingerprint) const {
   std::vector<std::string> notes;  // of the first frame, which the others resemble
@@ -38,10 +40,11 @@ void FrameFiles::check(Fingerprint& fingerprint) const {
   for (const std::string& note : notes) LOG(WARNING) << note;
   FrameOrder order;
   ProgressLine progress("animate: checked frame");
-  for (int frame = range_.first; frame <= range_.last; ++frame) {
+  for (FrameNumber i = 0; i < range_.count(); ++i) {
+    const FrameNumber frame = range_.first + i;
     order.add(read(frame), frame, pattern_.path(frame));
     fingerprint.add_file(pattern_.path(frame));
-    progress.show(frame - range_.first + 1, range_.count());
+    progress.show(i + 1, range_.count());
   }
 }
 

@@ -17,7 +17,7 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
   virtual FrameRange range() const = 0;
-  virtual Shape read(int frame) const = 0;
+  virtual Shape read(FrameNumber frame) const = 0;
 };
 
 /// Frames in files.
@@ -27,7 +27,7 @@ class FrameFiles : public FrameSource {
   FrameFiles(const std::string& pattern, const std::string& name);
 
   FrameRange range() const override { return range_; }
-  Shape read(int frame) const override;
+  Shape read(FrameNumber frame) const override;
   const FramePattern& pattern() const { return pattern_; }
 
   /// Reads all frames and adds them to the fingerprint. Throws InputError for a frame that cannot

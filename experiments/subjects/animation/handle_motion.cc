@@ -11,7 +11,7 @@
 namespace deformlab {
 namespace {
 
-void check_frame(int frame, const FrameRange& range, const std::string& what) {
+void check_frame(FrameNumber frame, const FrameRange& range, const std::string& what) {
   if (frame >= range.first && frame <= range.last) return;
   throw InputError(fmt::format("{} names frame {}; the frames are {} to {}", what, frame,
                                range.first, range.last));
@@ -30,7 +30,7 @@ double ease(double share) { return share * share * (3 - 2 * share); }
 }  // namespace
 
 HandleMotion::HandleMotion(const Script& script, const FrameRange& range,
-                           const std::function<Shape(int)>& pose_of)
+                           const std::function<Shape(FrameNumber)>& pose_of)
     : smooth_(script.smooth) {
   if (script.pose) check_frame(*script.pose, range, "'pose'");
   for (const TimedEdit& edit : script.edits) {
@@ -122,24 +122,25 @@ Eigen::Matrix3Xd HandleMotion::columns(Column&& column) const {
   return result;
 }
 
-HandleMotion::Between HandleMotion::between(const Channel& channel, double frame) const {
+HandleMotion::Between HandleMotion::between(const Channel& channel, FrameNumber frame) const {
   const auto after = std::find_if(channel.keys.begin(), channel.keys.end(),
                                   [&](const Key& key) { return key.frame > frame; });
   if (after == channel.keys.begin()) return {*after, *after, 0};
   const Key& before = *std::prev(after);
   if (after == channel.keys.end()) return {before, before, 0};
-  const double share = (frame - before.frame) / (after->frame - before.frame);
+  const double share =
+      frames_between(before.frame, frame) / frames_between(before.frame, after->frame);
   return {before, *after, smooth_ ? ease(share) : share};
 }
 
-Eigen::Matrix3Xd HandleMotion::offsets(double frame) const {
+Eigen::Matrix3Xd HandleMotion::offsets(FrameNumber frame) const {
   return columns([&](const Channel& channel) {
     const auto [from, to, share] = between(channel, frame);
     return share == 0 ? from.pose.offset : offset_between(from.pose, to.pose, share);
   });
 }
 
-Eigen::Matrix3Xd HandleMotion::rotations(double frame) const {
+Eigen::Matrix3Xd HandleMotion::rotations(FrameNumber frame) const {
   if (!turns_) return Eigen::Matrix3Xd(3, 0);
   return columns([&](const Channel& channel) {
     const auto [from, to, share] = between(channel, frame);

@@ -22,20 +22,20 @@ class HandleMotion {
   /// InputError as `resolve` does, for a keyframe or pose that is not a frame of the range, and for
   /// a vertex that one edit moves and another fixes or moves in all frames.
   HandleMotion(const Script& script, const FrameRange& range,
-               const std::function<Shape(int)>& pose_of);
+               const std::function<Shape(FrameNumber)>& pose_of);
 
   /// Fixed vertices are fixed in all frames, at their positions in the input. Handles that move
   /// together in all edits are a group.
   const Handles& handles() const { return handles_; }
   /// The offsets of handles().moved and then of handles().points in a frame, 3×# [length].
-  Eigen::Matrix3Xd offsets(double frame) const;
+  Eigen::Matrix3Xd offsets(FrameNumber frame) const;
   /// How these handles turn in a frame, as in Handles; 3×0 if no edit turns any.
-  Eigen::Matrix3Xd rotations(double frame) const;
+  Eigen::Matrix3Xd rotations(FrameNumber frame) const;
   std::string description() const;  ///< all handles and offsets as text, for a fingerprint
 
  private:
   struct Key {
-    int frame;
+    FrameNumber frame;
     Pose pose;
     int group;      // of all groups of all edits
     double weight;  // in E_con
@@ -56,7 +56,7 @@ class HandleMotion {
   void fix(int vertex, const TimedEdit& edit);
   void add_key(Channel& channel, const TimedEdit& edit, const Key& key, const std::string& what);
   void collect();
-  Between between(const Channel& channel, double frame) const;
+  Between between(const Channel& channel, FrameNumber frame) const;
   // A matrix of one column for each handle: column(channel).
   template <class Column>
   Eigen::Matrix3Xd columns(Column&& column) const;

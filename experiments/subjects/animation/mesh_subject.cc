@@ -61,7 +61,7 @@ class MeshSubject : public Subject {
     }
     if (context_.writes()) check_files(*context_.command, *files_, *out_);
     const Script script = read_script(options_.edit, o.keyframes);
-    motion_.emplace(script, range(), [&](int frame) { return frames_->read(frame); });
+    motion_.emplace(script, range(), [&](FrameNumber frame) { return frames_->read(frame); });
     pose_ = frames_->read(script.pose.value_or(range().first));
     size_ = bounding_box_diagonal(pose_.V);
     options_.method.deformation.stiffness = painted_stiffness(options_.paint, pose_);
@@ -80,13 +80,14 @@ class MeshSubject : public Subject {
       Fingerprint nobody_needs_it;
       files_->check(nobody_needs_it);
     }
-    for (int frame = range().first; frame <= range().last; ++frame) {
+    for (FrameNumber i = 0; i < range().count(); ++i) {
+      const FrameNumber frame = range().first + i;
       if (resume_ && resume_->has(frame)) {
         pass(frame);
       } else if (!make(frame)) {
         return;
       }
-      if (progress) progress->show(frame - range().first + 1, range().count());
+      if (progress) progress->show(i + 1, range().count());
     }
   }
 
@@ -124,7 +125,7 @@ class MeshSubject : public Subject {
 
   void draw(Book& book, const std::string& caption) override {
     auto& pictures = dynamic_cast<AnimationBook&>(book);
-    const int first = range().first;
+    const FrameNumber first = range().first;
     update(frames_->read(first), first);  // the graph of this frame
     pictures.look_by(render_options(options_.picture).camera);
     pictures.add(*seen_, deformer_->deformation().graph(), caption);
@@ -168,13 +169,13 @@ class MeshSubject : public Subject {
     return fingerprint.text();
   }
 
-  Report update(const Shape& input, int frame) {
+  Report update(const Shape& input, FrameNumber frame) {
     return deformer_->update(input, motion_->offsets(frame), motion_->rotations(frame));
   }
 
   // A command stops at a frame that cannot be solved, and with --strict at one that does not show
   // what the edit asks for. A config measures this frame, because its claims may be about it.
-  bool make(int frame) {
+  bool make(FrameNumber frame) {
     const Shape input = frames_->read(frame);
     const Report report = update(input, frame);
     solve_ = report.solve;
@@ -199,14 +200,14 @@ class MeshSubject : public Subject {
   }
 
   // Skips a frame that an earlier run has made.
-  void pass(int frame) {
+  void pass(FrameNumber frame) {
     measurements_.interrupt();
     ++passed_;
     if (seen_->wants(frame)) see(frame, frames_->read(frame));
   }
 
   // Reads a frame that was written, so that the picture is the same after a stop.
-  void see(int frame, const Shape& input) {
+  void see(FrameNumber frame, const Shape& input) {
     const Shape output = context_.writes() ? read_shape(out_->path(frame)) : deformer_->deformed();
     const Eigen::Matrix3Xd handles = output.V(Eigen::all, motion_->handles().moved);
     seen_->add(frame, {input, output, handles});
@@ -228,7 +229,7 @@ class MeshSubject : public Subject {
   Summary solve_;
   int passed_ = 0;
   std::vector<std::string> undone_;  // what the edit asked for in a frame that does not show it
-  std::optional<int> failed_;
+  std::optional<FrameNumber> failed_;
 };
 
 }  // namespace

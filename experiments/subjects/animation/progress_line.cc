@@ -1,5 +1,6 @@
 #include "experiments/subjects/animation/progress_line.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -15,10 +16,11 @@ ProgressLine::~ProgressLine() {
   if (terminal_ && shown_) std::fputc('\n', stderr);
 }
 
-void ProgressLine::show(int done, int all) {
+void ProgressLine::show(std::int64_t done, std::int64_t all) {
   if (steady_clock::now() < next_ && done != all) return;
   next_ = steady_clock::now() + std::chrono::seconds(1);
-  std::fprintf(stderr, terminal_ ? "\r%s %d of %d" : "%s %d of %d\n", what_.c_str(), done, all);
+  const char *begin = terminal_ ? "\r" : "", *end = terminal_ ? "" : "\n";
+  std::fputs(fmt::format("{}{} {} of {}{}", begin, what_, done, all, end).c_str(), stderr);
   shown_ = true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace deformlab {
@@ -11,7 +12,7 @@ class ProgressLine {
  public:
   explicit ProgressLine(std::string what);  ///< such as "animate: checking frame"
   ~ProgressLine();
-  void show(int done, int all);
+  void show(std::int64_t done, std::int64_t all);
 
  private:
   std::string what_;

@@ -1,12 +1,14 @@
 #include "experiments/subjects/animation/resume_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
-#include <vector>
+#include <utility>
 
+#include "experiments/subjects/animation/fingerprint.h"
 #include "geometry/core/files.h"
+#include "geometry/core/output_calls.h"
 
 namespace deformlab {
 namespace {
@@ -14,67 +16,90 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHead =
-    "deformlab animate was stopped: the next run goes on after this frame. Delete this file to "
+    "deformlab animate was stopped: the next run goes on after these frames. Delete this file to "
     "start over.";
 
-// Whether a write that was stopped left this file. Its name is that of the complete file, with an
-// ending and the id of a process.
-bool is_leftover(const std::string& name, const std::string& of) {
-  for (const char* ending : {".tmp", ".partial"}) {
-    if (!name.starts_with(of + ending)) continue;
-    const std::string number = name.substr(of.size() + std::string(ending).size());
-    return !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
-  }
-  return false;
-}
-
-void remove_leftovers(const fs::path& folder, const std::vector<std::string>& of) {
-  std::error_code error;
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (std::ranges::any_of(of, [&](const std::string& f) { return is_leftover(name, f); })) {
-      found.push_back(entry.path());
-    }
-  }
-  for (const fs::path& file : found) fs::remove(file, error);
+// The text without a last line that was not finished.
+std::string_view whole_lines(std::string_view text) {
+  return text.substr(0, text.rfind('\n') + 1);  // npos + 1 is 0
 }
 
 }  // namespace
 
 ResumeFile::ResumeFile(const FramePattern& out, std::string fingerprint)
     : out_(out), path_(out.text() + kProgressEnding), fingerprint_(std::move(fingerprint)) {
-  read();
+  file_.emplace(path_, fmt::format("'{}'", out.text()), O_RDWR | O_APPEND);
+  if (fs::file_size(path_) == 0) {
+    begin();
+  } else {
+    go_on(read_file(path_));
+  }
 }
 
-void ResumeFile::read() {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path_, ignored)) return;
-  std::istringstream file(read_file(path_));
-  std::string head, label, fingerprint;
-  int last = 0;
-  std::getline(file, head);
-  file >> label >> last >> label >> fingerprint;
-  outdated_ = !file || head != kHead || fingerprint != fingerprint_;
-  if (!outdated_) last_ = last;
-  if (!file) return;
-  remove_leftovers(out_.folder(), {path_.filename().string(), out_.path(last).filename().string(),
-                                   out_.path(last + 1).filename().string()});
+void ResumeFile::go_on(const std::string& text) {
+  const std::string_view whole = whole_lines(text);
+  read(whole);
+  if (outdated_) return begin();
+  if (whole.size() == text.size()) return;
+  const int error = output_calls::truncate(file_->descriptor(), std::ssize(whole));
+  if (error != 0) cannot_write(path_, error);
 }
 
-bool ResumeFile::has(int frame) const {
-  std::error_code ignored;
-  return last_ && frame <= *last_ && fs::is_regular_file(out_.path(frame), ignored);
-}
-
-void ResumeFile::finished(int frame) {
-  last_ = std::max(last_.value_or(frame), frame);
-  write_file(path_, fmt::format("{}\nframe {}\nfingerprint {}\n", kHead, *last_, fingerprint_));
+// A file that holds no frame is of no use.
+ResumeFile::~ResumeFile() {
+  if (!done_ && !frames_.empty()) file_->keep_file();
 }
 
 void ResumeFile::remove() {
-  std::error_code ignored;
-  fs::remove(path_, ignored);
+  file_->release();
+  done_ = true;
+}
+
+void ResumeFile::read(std::string_view text) {
+  std::istringstream file{std::string(text)};
+  std::string head, label, fingerprint;
+  std::getline(file, head);
+  file >> label >> fingerprint;
+  outdated_ = !file || head != kHead || fingerprint != fingerprint_;
+  FrameNumber frame = 0;
+  Written written;
+  while (!outdated_ && file >> label >> frame >> written.size >> written.hash) {
+    frames_[frame] = written;
+  }
+}
+
+void ResumeFile::begin() {
+  frames_.clear();
+  if (const int error = output_calls::truncate(file_->descriptor(), 0)) cannot_write(path_, error);
+  append(fmt::format("{}\nfingerprint {}\n", kHead, fingerprint_));
+}
+
+void ResumeFile::append(const std::string& text) {
+  if (const int error = output_calls::write(file_->descriptor(), text)) cannot_write(path_, error);
+}
+
+ResumeFile::Written ResumeFile::written(FrameNumber frame) const {
+  const std::string bytes = read_file(out_.path(frame));
+  Fingerprint hash;
+  hash.add(bytes);
+  return {bytes.size(), hash.text()};
+}
+
+bool ResumeFile::has(FrameNumber frame) const {
+  const auto found = frames_.find(frame);
+  std::error_code error;
+  const fs::path path = out_.path(frame);
+  if (found == frames_.end() || !fs::is_regular_file(path, error)) return false;
+  if (fs::file_size(path, error) != found->second.size || found->second.size == 0) return false;
+  return written(frame).hash == found->second.hash;
+}
+
+// A line need not be on the disk when the run goes on: the size and the hash tell whether the frame
+// is there, and a line that is lost costs one frame.
+void ResumeFile::finished(FrameNumber frame) {
+  const Written file = written(frame);
+  frames_[frame] = file;
+  append(fmt::format("frame {} {} {}\n", frame, file.size, file.hash));
 }
 
 }  // namespace deformlab

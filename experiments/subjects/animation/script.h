@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/subjects/animation/frame_pattern.h"
 #include "experiments/subjects/shape/edit.h"
 #include "geometry/core/options.h"
 
@@ -12,7 +13,7 @@ namespace deformlab {
 
 /// A keyframe: one frame and its edit.
 struct KeyframeOptions {
-  int frame = 0;
+  FrameNumber frame = 0;
   ConfigNode edit;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -30,7 +31,7 @@ constexpr auto names_of(Interpolation) {
 
 /// The edits of an animation that change with time, in addition to `edit:` itself.
 struct KeyframesOptions {
-  std::optional<int> pose;
+  std::optional<FrameNumber> pose;
   Interpolation interpolation = Interpolation::kLinear;
   std::vector<KeyframeOptions> keyframes;
   template <class Self, class Visit>
@@ -47,14 +48,14 @@ struct KeyframesOptions {
 
 /// One list of edits, and the frame in which it holds.
 struct TimedEdit {
-  std::optional<int> frame;  ///< none: the edits hold in all frames
+  std::optional<FrameNumber> frame;  ///< none: the edits hold in all frames
   std::vector<EditEntry> entries;
   std::string where;  ///< "keyframe 2 (line 7 of edit.yaml)", for messages
 };
 
 /// How an animation is edited. `edit:` comes first, then the keyframes in the order of frames.
 struct Script {
-  std::optional<int> pose;
+  std::optional<FrameNumber> pose;
   bool smooth = false;
   std::vector<TimedEdit> edits;
 };

@@ -33,7 +33,7 @@ bool counts_by_the_least(const std::string& phase) {
 
 }  // namespace
 
-void SolveLog::add(int frame, const Report& report, double size) {
+void SolveLog::add(FrameNumber frame, const Report& report, double size) {
   warn(frame, report);
   const Metrics m = metrics_of(report);
   keep_greatest(worst_, {{"iterations", m.at("iterations")},
@@ -58,7 +58,7 @@ void SolveLog::add(int frame, const Report& report, double size) {
   last_ = report;
 }
 
-void SolveLog::warn(int frame, const Report& report) {
+void SolveLog::warn(FrameNumber frame, const Report& report) {
   std::vector<std::string> notes = report.notes;
   if (report.solve.status == Status::kMaxIterations) notes.push_back(report.solve.message);
   for (const std::string& note : notes) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/subjects/animation/frame_pattern.h"
 #include "experiments/subjects/subject.h"
 
 namespace deformlab {
@@ -11,7 +12,7 @@ namespace deformlab {
 /// unless the frame before had the same note.
 class SolveLog {
  public:
-  void add(int frame, const Report& report, double size);  ///< `size` of the shape [length]
+  void add(FrameNumber frame, const Report& report, double size);  ///< `size` of the shape [length]
 
   int solves() const { return solves_; }
   const Report& last() const { return last_; }
@@ -23,7 +24,7 @@ class SolveLog {
   Run run() const;
 
  private:
-  void warn(int frame, const Report& report);
+  void warn(FrameNumber frame, const Report& report);
 
   Report last_;
   Metrics worst_;

@@ -20,7 +20,7 @@ class Longest {
  public:
   explicit Longest(std::optional<std::int64_t> id) : id_(id) {}
 
-  void add(int frame, ParticleFrame particles) {
+  void add(FrameNumber frame, ParticleFrame particles) {
     for (const ParticleRow& row : particles) {
       if (id_ && row.id != *id_) continue;
       const ParticleLife born{row.id, frame, frame, row.position, row.position};
@@ -45,7 +45,8 @@ class Longest {
   // Compares ids too, so that the result does not depend on the order of a hash table.
   static auto merit(const ParticleLife& life) {
     const double way = (life.end - life.begin).norm();
-    return std::tuple(life.last - life.first, way > 0 ? way / life.travelled : 0, -life.id);
+    return std::tuple(frames_between(life.first, life.last), way > 0 ? way / life.travelled : 0,
+                      ~life.id);
   }
   void compare(const ParticleLife& life) {
     if (!best_ || merit(life) > merit(*best_)) best_ = life;
@@ -134,7 +135,8 @@ void ParticleCache::for_each_frame(const Visit& visit) const {
 
 ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64_t> id) {
   Longest longest(id);
-  particles.for_each_frame([&](int frame, ParticleFrame rows) { longest.add(frame, rows); });
+  particles.for_each_frame(
+      [&](FrameNumber frame, ParticleFrame rows) { longest.add(frame, rows); });
   const std::optional<ParticleLife> life = longest.result();
   if (!life) {
     throw InputError(
@@ -153,20 +155,20 @@ ParticleLife find_path(const ParticleSource& particles, std::optional<std::int64
 Eigen::Matrix3Xd sample_path(const ParticleSource& particles, const ParticleLife& life, int m) {
   check_number("graph.nodes", m, {.min = 1});
   Eigen::Matrix3Xd samples(3, m);
-  const auto time = [&](int j) {
-    return m == 1 ? life.first : life.first + double(life.last - life.first) * j / (m - 1);
-  };
-  int next = 0, before = life.first;
+  const double duration = frames_between(life.first, life.last);
+  const auto time = [&](int j) { return m == 1 ? 0 : duration * j / (m - 1); };  // since its begin
+  int next = 0;
+  double before = 0;
   Eigen::Vector3d from = life.begin;
-  particles.for_each_frame([&](int frame, ParticleFrame rows) {
+  particles.for_each_frame([&](FrameNumber frame, ParticleFrame rows) {
     if (frame < life.first || frame > life.last) return;
     const auto row = std::ranges::find(rows, life.id, &ParticleRow::id);
-    for (; next < m && (time(next) <= frame || frame == life.last); ++next) {
-      const double share =
-          frame > before ? std::min((time(next) - before) / (frame - before), 1.0) : 1;
+    const double now = frames_between(life.first, frame);
+    for (; next < m && (time(next) <= now || frame == life.last); ++next) {
+      const double share = now > before ? std::min((time(next) - before) / (now - before), 1.0) : 1;
       samples.col(next) = (1 - share) * from + share * row->position;
     }
-    before = frame;
+    before = now;
     from = row->position;
   });
   return samples;

@@ -21,7 +21,7 @@ Shape as_points(const Eigen::Matrix3Xd& positions);
 /// Particles that come and go, frame by frame.
 class ParticleSource {
  public:
-  using Visit = std::function<void(int frame, ParticleFrame)>;
+  using Visit = std::function<void(FrameNumber frame, ParticleFrame)>;
 
   virtual ~ParticleSource() = default;
   /// Calls `visit` for each frame that has particles, in order of time.
@@ -59,7 +59,7 @@ class ParticleCache : public ParticleSource {
 /// Consecutive frames in which a particle lives.
 struct ParticleLife {
   std::int64_t id = 0;
-  int first = 0, last = 0;
+  FrameNumber first = 0, last = 0;
   Eigen::Vector3d begin{0, 0, 0}, end{0, 0, 0};  ///< [length]
   double travelled = 0;                          ///< length of the path between [length]
 };

@@ -9,6 +9,7 @@
 
 #include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
+#include "geometry/core/files.h"
 #include "geometry/core/text.h"
 #include "geometry/shape/shape.h"
 
@@ -59,12 +60,10 @@ std::string shortest(double value) {
 
 }  // namespace
 
-ParticleReader::ParticleReader(const std::filesystem::path& path)
-    : name_(path.string()), file_(path, std::ios::binary) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored) || !file_) {
-    throw InputError(fmt::format("cannot read the particles in '{}': no such file", name_));
-  }
+ParticleReader::ParticleReader(const std::filesystem::path& path) : name_(path.string()) {
+  check_readable(path);
+  file_.open(path, std::ios::binary);
+  if (!file_) cannot_read(path, "it cannot be opened");
   read_header();
 }
 
@@ -116,12 +115,11 @@ double ParticleReader::coordinate(int column) const {
   return *value;
 }
 
-template <class Integer>
-Integer ParticleReader::integer(int column) const {
+std::int64_t ParticleReader::integer(int column) const {
   const std::string_view text = field(column);
   const std::optional<std::int64_t> value = to_integer(text);
-  if (value && std::in_range<Integer>(*value)) return static_cast<Integer>(*value);
-  reject(fmt::format("{} is {}; it has to be a whole number", kColumns[column],
+  if (value) return *value;
+  reject(fmt::format("{} is {}; it has to be a whole number of at most 64 bits", kColumns[column],
                      quote(std::string(text))));
 }
 
@@ -136,7 +134,7 @@ std::optional<ParticleRow> ParticleReader::next() {
     if (fields_.size() != header_size_) {
       reject(fmt::format("it has {} fields, but the header has {}", fields_.size(), header_size_));
     }
-    ParticleRow row{integer<int>(0), integer<std::int64_t>(1), {}, number_, line_number_};
+    ParticleRow row{integer(0), integer(1), {}, number_, line_number_};
     for (int c = 0; c < 3; ++c) row.position[c] = coordinate(2 + c);
     if (row.position.hasNaN()) {
       between_ += line_ + ending_;

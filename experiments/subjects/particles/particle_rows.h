@@ -13,7 +13,7 @@ namespace deformlab {
 
 /// A row of a particle cache: the position of one particle in one frame.
 struct ParticleRow {
-  int frame = 0;
+  std::int64_t frame = 0;
   std::int64_t id = 0;
   Eigen::Vector3d position{0, 0, 0};  ///< [length]
   std::int64_t number = 0;            ///< of the row, from 0
@@ -47,8 +47,7 @@ class ParticleReader {
   [[noreturn]] void reject(const std::string& why) const;
   std::string_view field(int column) const { return fields_[columns_[column]]; }
   double coordinate(int column) const;
-  template <class Integer>
-  Integer integer(int column) const;
+  std::int64_t integer(int column) const;
 
   std::string name_;
   std::ifstream file_;

@@ -68,12 +68,12 @@ class ParticleSubject : public Subject {
     std::optional<ProgressLine> progress;
     if (context_.writes()) progress.emplace("animate: frame");
     bool failed = false;
-    particles_->for_each_frame([&](int frame, ParticleFrame rows) {
+    particles_->for_each_frame([&](FrameNumber frame, ParticleFrame rows) {
       if (failed) return;
       const Eigen::Matrix3Xd edited = editor_->edited(frame, rows);
       failed = context_.writes() && solve().status == Status::kFailed;
       if (!failed) add(frame, rows, edited);
-      if (progress) progress->show(frame - range.first + 1, range.count());
+      if (progress) progress->show(FrameRange{range.first, frame}.count(), range.count());
     });
   }
 
@@ -109,7 +109,7 @@ class ParticleSubject : public Subject {
   }
 
  private:
-  void add(int frame, ParticleFrame rows, const Eigen::Matrix3Xd& edited) {
+  void add(FrameNumber frame, ParticleFrame rows, const Eigen::Matrix3Xd& edited) {
     if (writer_) writer_->add(rows, edited);
     if (editor_->solves() > log_.solves()) {
       log_.add(frame, editor_->report(), bounding_box_diagonal(editor_->stream().path().V));

@@ -34,7 +34,7 @@ StreamEditor::StreamEditor(const ParticleSource& particles, const Script& script
                            std::optional<std::int64_t> path)
     : life_((check(script, options.graph), find_path(particles, path))),
       stream_(sample_path(particles, life_, options.graph.nodes), options),
-      motion_(script, particles.frames(), [&](int) { return stream_.path(); }) {
+      motion_(script, particles.frames(), [&](FrameNumber) { return stream_.path(); }) {
   stream_.compile(motion_.handles());
   rest_ = targets_at_rest(stream_.path(), motion_.handles());
 }
@@ -53,7 +53,7 @@ void StreamEditor::solve(const Eigen::Matrix3Xd& offsets, const Eigen::Matrix3Xd
   worst_handle_ = std::max(worst_handle_, report_.handle_max);
 }
 
-Eigen::Matrix3Xd StreamEditor::edited(int frame, ParticleFrame rows) {
+Eigen::Matrix3Xd StreamEditor::edited(FrameNumber frame, ParticleFrame rows) {
   const Eigen::Matrix3Xd offsets = motion_.offsets(frame);
   const Eigen::Matrix3Xd rotations = motion_.rotations(frame);
   const bool is_new = !is_same(offsets, offsets_) || !is_same(rotations, rotations_);

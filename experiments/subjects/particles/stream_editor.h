@@ -18,7 +18,7 @@ class StreamEditor {
                const EmbeddedDeformationOptions& options, std::optional<std::int64_t> path);
 
   /// The edited positions of the particles of a frame, 3×#rows [length].
-  Eigen::Matrix3Xd edited(int frame, ParticleFrame rows);
+  Eigen::Matrix3Xd edited(FrameNumber frame, ParticleFrame rows);
   const Report& report() const { return report_; }  ///< of the last solve
   /// The seconds of the last frame without a solve: for the weights of its particles, and for their
   /// transfer by Eq. 2.

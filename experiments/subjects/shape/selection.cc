@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "experiments/subjects/shape/edit_files.h"
 #include "geometry/core/error.h"
@@ -36,6 +37,23 @@ std::vector<int> listed(std::vector<int> selected, const Shape& shape, const std
   return selected;
 }
 
+/// A distance of which the square may overflow.
+double distance(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  const double result = (p - q).norm();
+  return std::isfinite(result) ? result : (p - q).stableNorm();
+}
+
+/// Where the squares of distances would overflow, the nearest vertex is the one that is farthest in
+/// the direction of q.
+int nearest_vertex(const Eigen::Matrix3Xd& V, const Eigen::Vector3d& q) {
+  constexpr double kFar = 1e100;  // shapes reach to 1e50
+  Eigen::RowVectorXd distances = (V.colwise() - q).colwise().squaredNorm();
+  if (q.cwiseAbs().maxCoeff() > kFar) distances = -q.stableNormalized().transpose() * V;
+  Eigen::Index closest = 0;
+  distances.minCoeff(&closest);
+  return static_cast<int>(closest);
+}
+
 /// The vertices selected, in ascending order, each once.
 std::vector<int> select(const Selection& by, const Shape& shape, const std::string& where) {
   if (by.vertices) return listed(*by.vertices, shape, where);
@@ -46,13 +64,11 @@ std::vector<int> select(const Selection& by, const Shape& shape, const std::stri
   }
   if (by.sphere) {
     return select_if(shape.V, [&](const auto& p) {
-      return (p - by.sphere->center).norm() <= by.sphere->radius;
+      return distance(p, by.sphere->center) <= by.sphere->radius;
     });
   }
   if (by.nearest) {
-    Eigen::Index closest = 0;
-    (shape.V.colwise() - *by.nearest).colwise().squaredNorm().minCoeff(&closest);
-    return {static_cast<int>(closest)};
+    return {nearest_vertex(shape.V, *by.nearest)};
   }
   return select_if(shape.V, [&](const auto&) { return by.all.has_value(); });
 }

@@ -41,14 +41,15 @@ Header read_header(Lines& lines, Layout& layout, const std::string& name) {
   counts = counts.subspan(1);
   if (counts.empty() && lines.next()) counts = lines.tokens();
   const auto count = [&](std::size_t i) {
-    const std::optional<std::int64_t> value =
-        i < counts.size() ? to_integer(counts[i].text) : std::nullopt;
-    if (!value || *value < 0) {
+    const std::int64_t value = i < counts.size() ? to_integer(counts[i].text).value_or(-1) : -1;
+    if (value < 0) {
+      const std::string found =
+          i < counts.size() ? ", not " + quoted_ascii(counts[i].text) : std::string();
       cannot_read(name, fmt::format("{}: the numbers of vertices and faces are missing, two whole "
-                                    "numbers of 0 or more",
-                                    lines.name()));
+                                    "numbers of 0 or more{}",
+                                    lines.name(), found));
     }
-    return static_cast<std::size_t>(*value);
+    return static_cast<std::size_t>(value);
   };
   header.vertices = count(0);
   header.faces = count(1);

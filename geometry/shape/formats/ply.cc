@@ -21,12 +21,22 @@ std::int64_t binary_integer(std::string_view bytes, PlyType type, Encoding encod
   return static_cast<std::int64_t>(bits) - (negative ? static_cast<std::int64_t>(sign) * 2 : 0);
 }
 
+/// How many lines end in a text: with LF, CR LF, or CR alone.
+int line_breaks(std::string_view text) {
+  int count = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    count += text[i] == '\n' || (text[i] == '\r' && !text.substr(i + 1).starts_with('\n'));
+  }
+  return count;
+}
+
 /// Walks over every number of the body, because only this shows where the next one begins.
 class Reader {
  public:
   Reader(std::string_view bytes, const std::string& name)
       : bytes_(bytes), name_(name), header_(read_ply_header(bytes, name)), at_(header_.end) {
     file_.layout.encoding = header_.encoding;
+    if (header_.encoding == Encoding::kText) line_ = 1 + line_breaks(bytes.substr(0, at_));
   }
 
   ShapeFile run() {
@@ -54,7 +64,7 @@ class Reader {
     bool is_normal = false;
   };
 
-  Location where() const { return {name_, kind_, row_}; }
+  Location where() const { return {name_, kind_, row_, line_}; }
 
   void find_columns(const PlyElement& element) {
     const std::vector<PlyVector> vectors = turning_vectors(element);
@@ -136,6 +146,7 @@ class Reader {
     ByteRange range{at_, type.size};
     if (header_.encoding == Encoding::kText) {
       range.at = find_blank(bytes_, at_, false);
+      line_ += line_breaks(bytes_.substr(at_, range.at - at_));
       range.size = find_blank(bytes_, range.at) - range.at;
     }
     if (range.size == 0 || range.size > bytes_.size() - range.at) {
@@ -176,6 +187,7 @@ class Reader {
   const std::string& name_;
   const PlyHeader header_;
   std::size_t at_;                       ///< where the next number begins
+  int line_ = 0;                         ///< of the number that was read last, in a text
   const PlyElement* element_ = nullptr;  ///< the element of the row that is being read
   std::string kind_;                     ///< what messages call this row
   std::uint64_t row_ = 0;                ///< the index of this row

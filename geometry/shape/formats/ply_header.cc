@@ -48,7 +48,8 @@ PlyElement read_element(const Lines& lines, const std::string& name) {
   const std::vector<Token>& words = lines.tokens();
   const std::int64_t rows = words.size() == 3 ? to_integer(words[2].text).value_or(-1) : -1;
   if (rows < 0) {
-    cannot_read(name, lines.name() + ": an element needs a name and a number of rows");
+    const std::string found = words.size() == 3 ? ", not " + quoted_ascii(words[2].text) : "";
+    cannot_read(name, lines.name() + ": an element needs a name and a number of rows" + found);
   }
   return {std::string(words[1].text), static_cast<std::uint64_t>(rows), {}};
 }
