@@ -132,6 +132,10 @@ Eigen::Matrix3Xd AnimatedDeformation::with_lines(const Eigen::Matrix3Xd& rotatio
 Report AnimatedDeformation::update(const Shape& frame, const Eigen::Matrix3Xd& offsets,
                                    const Eigen::Matrix3Xd& rotations) {
   check_targets(offsets, std::ssize(handles_.moved));
+  if (frame.V.cols() != pose_.V.cols()) {
+    throw InputError(fmt::format("a frame of {} vertices does not fit a pose of {} vertices",
+                                 frame.V.cols(), pose_.V.cols()));
+  }
   const Eigen::Matrix3Xd rest = frame.V(Eigen::all, handles_.moved), targets = rest + offsets;
   handles_.rotations = with_lines(rotations, rest, targets);
   deformation_.repose(frame, frame.V(Eigen::all, node_vertices_));

@@ -126,6 +126,9 @@ void EmbeddedDeformation::repose(const Shape& rest, const Eigen::Matrix3Xd& node
         "a pose of {} vertices and {} nodes does not fit a shape of {} vertices and {} nodes",
         rest.V.cols(), nodes.cols(), rest_.V.cols(), graph_.g.cols()));
   }
+  check(rest, "the pose");
+  if (!nodes.allFinite())
+    throw InputError("a node of the pose is not finite; every number must be");
   check_dimension(options_.dimension, rest);
   rest_ = rest;
   embedding_.v = rest.V;
@@ -146,6 +149,11 @@ void EmbeddedDeformation::begin_at(const Transformations& X) {
   if (X.cols() != 4 * graph_.g.cols()) {
     throw InputError(fmt::format("{} transformations do not fit a graph of {} nodes", X.cols() / 4,
                                  graph_.g.cols()));
+  }
+  for (Eigen::Index j = 0; j < graph_.g.cols(); ++j) {
+    if (X.middleCols<4>(4 * j).allFinite()) continue;
+    throw InputError(fmt::format(
+        "the transformation of node {} (counted from 0) is not finite; every number must be", j));
   }
   set_transformations(X, options_.node_model(), unit_, problem_.fixed, problem_.x);
   at_rest_ = false;

@@ -40,12 +40,12 @@ class EmbeddedDeformation final : public Deformer {
   /// Gives the rest shape another pose: the same vertices at other positions, and the nodes (3×m)
   /// with them [length]. The graph's edges, all weights and the unit stay, the transformations
   /// begin at rest, and the handles have to be compiled again. Throws InputError for another number
-  /// of vertices or nodes.
+  /// of vertices or nodes, for one that is not finite, and as `check` does.
   void repose(const Shape& rest, const Eigen::Matrix3Xd& nodes);
 
   /// Sets the transformations (3×4m), t_j [length], from which the next update starts. Fixed nodes
   /// stay at rest, and rigid nodes take the nearest rotations. Throws InputError for another number
-  /// of transformations.
+  /// of transformations, and for one that is not finite.
   void begin_at(const Transformations& X);
 
   const DeformationGraph& graph() const { return graph_; }   ///< at rest [length]

@@ -1,5 +1,7 @@
 #include "geometry/graph/deformation_graph.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +9,7 @@
 #include <utility>
 
 #include "geometry/core/disjoint_sets.h"
+#include "geometry/core/error.h"
 #include "geometry/core/hash.h"
 
 namespace deformlab {
@@ -72,10 +75,44 @@ std::vector<Overlap> overlaps(const Embedding& e, std::span<const int> followed)
   return std::move(pairs).sorted();
 }
 
+void check_edges(const DeformationGraph& graph) {
+  const Eigen::Index m = graph.g.cols();
+  for (const GraphEdge& e : graph.edges) {
+    if (e.j >= 0 && e.j < m && e.k >= 0 && e.k < m && e.j != e.k) continue;
+    throw InputError(fmt::format(
+        "an edge of the graph joins the nodes {} and {} (counted from 0); the graph has {} nodes, "
+        "and an edge joins two different ones",
+        e.j, e.k, m));
+  }
+}
+
 }  // namespace
+
+void check(const DeformationGraph& graph) {
+  check_edges(graph);
+  for (Eigen::Index j = 0; j < graph.g.cols(); ++j) {
+    if (graph.g.col(j).allFinite()) continue;
+    throw InputError(
+        fmt::format("node {} of the graph (counted from 0) is at ({:g}, {:g}, {:g}); "
+                    "every number must be finite",
+                    j, graph.g(0, j), graph.g(1, j), graph.g(2, j)));
+  }
+  for (const GraphEdge& e : graph.edges) {
+    if (e.alpha >= 0 && std::isfinite(e.alpha)) continue;
+    throw InputError(
+        fmt::format("the edge between the nodes {} and {} has the weight {:g}; it has to be finite "
+                    "and 0 or more",
+                    e.j, e.k, e.alpha));
+  }
+}
 
 DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding, EdgeWeights alpha,
                          std::span<const int> followed) {
+  check(embedding, g.cols());
+  if (!followed.empty() && std::ssize(followed) != embedding.v.cols()) {
+    throw InputError(fmt::format("there are {} numbers of nodes that count for {} points",
+                                 followed.size(), embedding.v.cols()));
+  }
   DeformationGraph graph{g, {}};
   for (const Overlap& o : overlaps(embedding, followed))
     graph.edges.push_back({o.j, o.k, o.amount});
@@ -94,6 +131,7 @@ DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding, 
 }
 
 void weigh_by_length(DeformationGraph& graph) {
+  check_edges(graph);
   const auto length = [&](const GraphEdge& e) {
     return (graph.g.col(e.j) - graph.g.col(e.k)).norm();
   };
@@ -116,6 +154,7 @@ void normalize_weights(DeformationGraph& graph) {
 }
 
 double mean_edge_length(const DeformationGraph& graph) {
+  check_edges(graph);
   double sum = 0;
   for (const GraphEdge& e : graph.edges) sum += (graph.g.col(e.j) - graph.g.col(e.k)).norm();
   const double fallback = graph.g.cols() > 0 ? bounding_box_diagonal(graph.g) : 0;
@@ -124,6 +163,7 @@ double mean_edge_length(const DeformationGraph& graph) {
 }
 
 std::vector<int> components(const DeformationGraph& graph) {
+  check_edges(graph);
   DisjointSets sets(graph.g.cols());
   for (const GraphEdge& edge : graph.edges) sets.join(edge.j, edge.k);
   return sets.numbered();

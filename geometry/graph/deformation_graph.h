@@ -142,9 +142,14 @@ struct DeformationGraph {
   std::vector<GraphEdge> edges;  ///< sorted by (j, k), each once
 };
 
+/// Throws InputError for a node that is not finite, for an edge that names a node which does not
+/// exist or the same node twice, and for an α that is negative or not finite.
+void check(const DeformationGraph& graph);
+
 /// Joins every two of the nodes `g` (3×m) that influence a common point of `embedding`, and gives
 /// the edges their weights. Where some points follow fewer nodes than the embedding has rows,
-/// `followed` gives for each point how many of its nodes count.
+/// `followed` gives for each point how many of its nodes count. Throws InputError where these do
+/// not fit together. The functions below throw it for an edge to a node that does not exist.
 DeformationGraph connect(const Eigen::Matrix3Xd& g, const Embedding& embedding,
                          EdgeWeights alpha = EdgeWeights::kUniform,
                          std::span<const int> followed = {});

@@ -235,6 +235,8 @@ BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
 BuiltGraph build_graph(const Shape& shape, DeformationGraph graph, const GraphOptions& options,
                        std::span<const Cut> cuts) {
   check_options(options);
+  check(shape, "the shape");
+  check(graph);
   return Builder(WeldedSurface(shape), options, cuts)
       .run({std::move(graph.g), {}, std::move(graph.edges)});
 }

@@ -41,7 +41,8 @@ BuiltGraph build_graph(const Shape& shape, const GraphOptions& options,
 BuiltGraph build_graph(const Shape& shape, const Eigen::Matrix3Xd& nodes,
                        const GraphOptions& options, std::span<const Cut> cuts = {});
 
-/// Does the same with a graph that is already made and keeps its edges.
+/// Does the same with a graph that is already made and keeps its edges. Throws also for a graph
+/// that `check` refuses.
 BuiltGraph build_graph(const Shape& shape, DeformationGraph graph, const GraphOptions& options,
                        std::span<const Cut> cuts = {});
 

@@ -215,6 +215,7 @@ Eigen::Matrix3Xd eliminate_to(const Dense& dense, int m, double guess, std::uint
 
 Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed, bool everything) {
   check_number("nodes", m, kNodeRange);
+  check(shape, "the shape");
   const Eigen::Matrix3Xi T = triangles(shape);
   const Eigen::VectorXd area = areas(shape, T);
   const double surface = area.sum();

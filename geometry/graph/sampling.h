@@ -12,8 +12,8 @@ namespace deformlab {
 /// chosen at random and all others within a radius of it are removed, until no point is left to
 /// choose. The radius is searched so that exactly m points remain. Returns 3×m positions [length];
 /// the same seed gives the same nodes. With `everything`, vertices without a face are among the
-/// points as well, beside a surface. Throws OptionError ("nodes") for m out of range and where
-/// the shape has fewer than m distinct points.
+/// points as well, beside a surface. Throws InputError as `check` does, and OptionError ("nodes")
+/// for m out of range and where the shape has fewer than m distinct points.
 Eigen::Matrix3Xd sample_nodes(const Shape& shape, int m, std::uint64_t seed,
                               bool everything = false);
 

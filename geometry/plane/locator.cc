@@ -84,6 +84,7 @@ void Locator::Tree::try_triangle(int t, const Eigen::Vector2d& point, Located& b
 }
 
 Locator::Locator(const Triangulation& mesh) : tree_(std::make_unique<Tree>()) {
+  check(mesh);
   if (mesh.F.cols() == 0) throw InputError("there is no triangle to find a place in");
   std::vector<Entry> entries;
   for (Eigen::Index t = 0; t < mesh.F.cols(); ++t) {

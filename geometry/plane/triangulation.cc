@@ -1,14 +1,35 @@
 #include "geometry/plane/triangulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "geometry/core/error.h"
 #include "geometry/plane/cross.h"
 
 namespace deformlab {
 
+void check(const Triangulation& mesh) {
+  for (Eigen::Index t = 0; t < mesh.F.cols(); ++t) {
+    const Eigen::Vector3i corners = mesh.F.col(t);
+    if (corners.minCoeff() >= 0 && corners.maxCoeff() < mesh.V.cols()) continue;
+    throw InputError(fmt::format(
+        "triangle {} (vertices {}, {}, {}) names a vertex that the mesh does not have; its "
+        "vertices are 0 to {}",
+        t, corners[0], corners[1], corners[2], mesh.V.cols() - 1));
+  }
+  for (Eigen::Index v = 0; v < mesh.V.cols(); ++v) {
+    if (mesh.V.col(v).allFinite()) continue;
+    throw InputError(fmt::format(
+        "vertex {} of the mesh (counted from 0) is at ({}, {}); every number must be finite", v,
+        mesh.V(0, v), mesh.V(1, v)));
+  }
+}
+
 TriangleQuality quality(const Triangulation& mesh) {
+  check(mesh);
   TriangleQuality result{.least_angle = 180};
   for (const auto& t : mesh.F.colwise()) {
     double product = 1, around = 0, twice_area = 0;
@@ -29,6 +50,7 @@ TriangleQuality quality(const Triangulation& mesh) {
 }
 
 void append(const Triangulation& part, Triangulation& mesh) {
+  check(part);
   const Eigen::Index vertices = mesh.V.cols(), triangles = mesh.F.cols();
   mesh.V.conservativeResize(2, vertices + part.V.cols());
   mesh.F.conservativeResize(3, triangles + part.F.cols());
@@ -37,6 +59,7 @@ void append(const Triangulation& part, Triangulation& mesh) {
 }
 
 Shape to_shape(const Triangulation& mesh) {
+  check(mesh);
   Shape shape;
   shape.V = Eigen::Matrix3Xd::Zero(3, mesh.V.cols());
   shape.V.topRows<2>() = mesh.V;

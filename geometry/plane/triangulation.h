@@ -17,6 +17,10 @@ struct Triangulation {
   Eigen::Matrix3Xi F;  ///< 3×#F corners of each triangle, all turning the same way as (x, y)
 };
 
+/// Throws InputError for a triangle that names a vertex which does not exist, and for a vertex that
+/// is not finite. The functions below and the classes that take a triangulation do so as well.
+void check(const Triangulation& mesh);
+
 /// The quality of triangles.
 struct TriangleQuality {
   double least_angle = 0;  ///< over all triangles [degree]

@@ -76,6 +76,9 @@ Eigen::Matrix3Xi triangles(const Shape& shape) {
       result.col(t++) = Eigen::Vector3i(face[0], face[c - 1], face[c]);
     }
   }
+  if (count > 0 && (result.minCoeff() < 0 || result.maxCoeff() >= shape.V.cols())) {
+    check_faces(shape, "the shape");  // throws
+  }
   return result;
 }
 

@@ -24,7 +24,8 @@ inline constexpr double kLeastLength = 1e-50, kMostLength = 1e50;
 void check(const Shape& shape, const std::string& name);
 
 /// The vertex indices (3×#T) of the faces cut into triangles, which form a fan around each face's
-/// first corner. Faces of fewer than three corners give none.
+/// first corner. Faces of fewer than three corners give none. Throws InputError for a face that
+/// names a vertex which does not exist, as all functions do that go through triangles.
 Eigen::Matrix3Xi triangles(const Shape& shape);
 
 /// 3×#V unit normals: the area-weighted mean of the triangles around each vertex. A vertex without

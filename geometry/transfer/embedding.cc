@@ -1,9 +1,12 @@
 #include "geometry/transfer/embedding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/core/error.h"
+#include "geometry/core/indices.h"
 #include "geometry/transfer/nearest_nodes.h"
 
 namespace deformlab {
@@ -23,6 +26,9 @@ void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k) {
 Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   if (g.cols() == 0) throw InputError("a deformation graph without nodes can deform nothing");
   check_number("neighbors", k, kNeighborRange);
+  if (!v.allFinite() || !g.allFinite()) {
+    throw InputError("a point or a node of an embedding is not finite; every number must be");
+  }
   const int m = static_cast<int>(g.cols());
   const int n = static_cast<int>(v.cols());
   const int nearest = std::min(k + 1, m);
@@ -43,7 +49,25 @@ Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k) {
   return result;
 }
 
+void check(const Embedding& embedding, Eigen::Index m) {
+  const Eigen::Index n = embedding.v.cols(), k = embedding.nodes.rows();
+  const bool fits =
+      embedding.nodes.cols() == n && embedding.weights.cols() == n && embedding.weights.rows() == k;
+  if (!fits) {
+    throw InputError(fmt::format(
+        "an embedding has {} points, {}x{} nodes and {}x{} weights; nodes and weights "
+        "have one column for each point and the same number of rows",
+        n, k, embedding.nodes.cols(), embedding.weights.rows(), embedding.weights.cols()));
+  }
+  check_indices({embedding.nodes.data(), std::size_t(k * n)}, m, "node", "the points");
+  if (!embedding.weights.allFinite()) throw InputError("a weight of an embedding is not finite");
+}
+
 Embedding joined(const Embedding& first, const Embedding& second) {
+  if (first.nodes.rows() != second.nodes.rows()) {
+    throw InputError(fmt::format("embeddings with {} and {} nodes for each point cannot be joined",
+                                 first.nodes.rows(), second.nodes.rows()));
+  }
   const Eigen::Index k = first.nodes.rows(), n = first.v.cols() + second.v.cols();
   Embedding result{Eigen::Matrix3Xd(3, n), Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};
   result.v << first.v, second.v;
@@ -53,6 +77,7 @@ Embedding joined(const Embedding& first, const Embedding& second) {
 }
 
 Embedding subset(const Embedding& embedding, std::span<const int> indices) {
+  check_indices(indices, embedding.v.cols(), "point", "the indices");
   const auto n = static_cast<Eigen::Index>(indices.size());
   const Eigen::Index k = embedding.nodes.rows();
   Embedding result{Eigen::Matrix3Xd(3, n), Eigen::MatrixXi(k, n), Eigen::MatrixXd(k, n)};

@@ -28,13 +28,20 @@ void weigh(Eigen::Ref<Eigen::VectorXd> distances, int k);
 ///   v  3×n points, g  3×m node positions [length], k ≥ 1 nodes for each point.
 /// Two cases are not covered by the formula. With m ≤ k nodes, k becomes m − 1, and a single node
 /// gets weight 1. Where the k+1 nearest nodes are equally far, the weights are equal.
-/// Throws InputError for m = 0 and for a k outside of kNeighborRange.
+/// Throws InputError for m = 0, for a k outside of kNeighborRange, and for a position that is not
+/// finite.
 Embedding embed(const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& g, int k);
 
-/// The points of one embedding followed by those of another in the same graph with the same k.
+/// Throws InputError where the parts of an embedding do not have the same number of points, where
+/// it names a node that is not among 0 … m − 1, or where a weight is not finite.
+void check(const Embedding& embedding, Eigen::Index m);
+
+/// The points of one embedding followed by those of another in the same graph. Throws InputError
+/// where their k is not the same.
 Embedding joined(const Embedding& first, const Embedding& second);
 
-/// The embedding of some of its points, in the order of `indices` (0 ≤ index < n).
+/// The embedding of some of its points, in the order of `indices`. Throws InputError for an index
+/// that is not among 0 … n − 1.
 Embedding subset(const Embedding& embedding, std::span<const int> indices);
 
 }  // namespace deformlab

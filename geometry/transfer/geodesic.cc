@@ -11,6 +11,7 @@
 #include <string>
 
 #include "geometry/core/disjoint_sets.h"
+#include "geometry/core/indices.h"
 #include "geometry/core/options.h"
 #include "geometry/graph/graph_mesh.h"
 
@@ -124,6 +125,7 @@ void NearestSources::insert(Eigen::Index vertex, int source, double distance) {
 
 void heat_distances(const Shape& shape, std::span<const int> sources,
                     const std::function<void(int s, const Eigen::VectorXd& d)>& visit) {
+  check_indices(sources, shape.V.cols(), "vertex", "the sources");
   const std::vector<int> part = connected_parts(shape);
   const std::vector<Eigen::Matrix3Xi> T = triangles_by_part(shape, part);
   if (triangles(shape).cols() == 0) manifold_mesh(shape, {}, kWish);  // throws

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/core/indices.h"
 #include "geometry/transfer/surface_roads.h"
 
 namespace deformlab {
@@ -182,6 +183,7 @@ NearestSources nearest_by_roads(const Roads& roads, std::span<const int> sources
 }
 
 NearestSources nearest_along_edges(const Shape& shape, std::span<const int> sources, int count) {
+  check_indices(sources, shape.V.cols(), "vertex", "the sources");
   const Roads roads(shape.V.cols(), surface_links(shape.V, triangles(shape)));
   return nearest_by_roads(roads, sources, count);
 }

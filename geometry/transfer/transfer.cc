@@ -1,8 +1,11 @@
 #include "geometry/transfer/transfer.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <vector>
 
+#include "geometry/core/error.h"
 #include "geometry/core/workers.h"
 #include "geometry/transfer/blend.h"
 #include "geometry/transfer/cofactors.h"
@@ -20,6 +23,18 @@ Eigen::Matrix3Xd inverse_transposes(const Transformations& X) {
     result.middleCols<3>(3 * j) = cofactors(R) / (std::abs(det) > 1e-12 ? det : 1.0);
   }
   return result;
+}
+
+// X has m transformations, and the embedding has n points.
+void check_sizes(const Transformations& X, Eigen::Index m, const Embedding& e, Eigen::Index n) {
+  const bool fits = X.cols() == 4 * m && e.nodes.cols() == n && e.weights.cols() == n &&
+                    e.weights.rows() == e.nodes.rows();
+  if (fits) return;
+  throw InputError(fmt::format(
+      "{} columns of transformations, {} nodes, {} points, and {}x{} nodes and {}x{} "
+      "weights of their embedding do not fit together: there are four columns for each "
+      "node, and one column of nodes and of weights for each point",
+      X.cols(), m, n, e.nodes.rows(), e.nodes.cols(), e.weights.rows(), e.weights.cols()));
 }
 
 using Numbers = Eigen::Map<Eigen::Matrix4d>;
@@ -43,6 +58,7 @@ Eigen::Matrix3Xd transfer_positions(const Transformations& X, const Eigen::Matri
 
 void transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g, const Embedding& e,
                         Eigen::Matrix3Xd& result, int threads) {
+  check_sizes(X, g.cols(), e, e.v.cols());
   // R_j (v − g_j) + g_j + t_j = R_j v + s_j needs one offset per node, no subtraction per vertex.
   std::vector<Columns> M(g.cols());
   for (Eigen::Index j = 0; j < g.cols(); ++j) {
@@ -66,6 +82,7 @@ Eigen::Matrix3Xd transfer_normals(const Transformations& X, const Eigen::Matrix3
 
 void transfer_normals(const Transformations& X, const Eigen::Matrix3Xd& N, const Embedding& e,
                       Eigen::Matrix3Xd& result, int threads) {
+  check_sizes(X, X.cols() / 4, e, N.cols());
   const Eigen::Matrix3Xd C = inverse_transposes(X);
   std::vector<Columns> M(X.cols() / 4);
   for (Eigen::Index j = 0; j < X.cols() / 4; ++j) {

@@ -15,6 +15,8 @@ Transformations rest_transformations(Eigen::Index m);
 
 /// Sumner et al. 2007, Eq. 2: ṽ_i = Σ_j w_j(v_i) [R_j (v_i − g_j) + g_j + t_j].
 ///   X  3×4m, g  3×m [length]. Returns 3×n positions [length].
+/// Throws InputError where sizes do not fit together. The nodes that the embedding names are not
+/// checked, because that would take a third of the time; `check` does it.
 Eigen::Matrix3Xd transfer_positions(const Transformations& X, const Eigen::Matrix3Xd& g,
                                     const Embedding& embedding);
 

@@ -145,11 +145,11 @@ AssertionResult has_declared_structure(const Energy& energy, const Unknowns& x, 
   if (relative_difference(predicted, at_y.r) > 1e-12) {
     return AssertionFailure() << "r is not affine in X";
   }
-  const bool Kronecker = is_kronecker(energy, J);
-  if (Kronecker == (energy.structure() == Structure::kKronecker)) {
-    return Kronecker ? has_its_coefficients(energy, y) : AssertionSuccess();
+  const bool kronecker = is_kronecker(energy, J);
+  if (kronecker == (energy.structure() == Structure::kKronecker)) {
+    return kronecker ? has_its_coefficients(energy, y) : AssertionSuccess();
   }
-  return AssertionFailure() << (Kronecker ? "Kronecker, but declared linear" : "not Kronecker");
+  return AssertionFailure() << (kronecker ? "Kronecker, but declared linear" : "not Kronecker");
 }
 
 AssertionResult agree(const Energy& one, const Energy& other, const Unknowns& x) {

@@ -380,9 +380,9 @@ TEST(OverlapFinder, RefusesWhatDoesNotFit) {
   EXPECT_THAT(refused(mesh, V), HasSubstr("mend the handles, or scale"));
   Triangulation broken = mesh;
   broken.F(2, 0) = 9;
-  EXPECT_THAT(refused(broken, mesh.V), HasSubstr("indices go from 0 to 8"));
+  EXPECT_THAT(refused(broken, mesh.V), HasSubstr("its vertices are 0 to 8"));
   broken.F(2, 0) = -1;
-  EXPECT_THAT(refused(broken, mesh.V), HasSubstr("names a vertex that is not there"));
+  EXPECT_THAT(refused(broken, mesh.V), HasSubstr("names a vertex that the mesh does not have"));
 }
 
 }  // namespace

@@ -56,7 +56,9 @@ inline Eigen::Matrix2d rotation(double angle) {
 inline Triangulation sheet(int columns, int rows, double edge = 1) {
   Triangulation mesh{Eigen::Matrix2Xd(2, columns * rows),
                      Eigen::Matrix3Xi(3, 2 * (columns - 1) * (rows - 1))};
-  for (int i = 0; i < columns * rows; ++i) mesh.V.col(i) << i % columns, i / columns;
+  for (int i = 0; i < columns * rows; ++i) {
+    mesh.V.col(i) = Eigen::Vector2i(i % columns, i / columns).cast<double>();
+  }
   mesh.V *= edge;
   int t = 0;
   for (int y = 0; y + 1 < rows; ++y) {

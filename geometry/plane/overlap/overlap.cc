@@ -200,13 +200,7 @@ void Search::reach(int a, int b) {
 }  // namespace
 
 OverlapFinder::OverlapFinder(const Triangulation& rest) : vertices_(rest.V.cols()), F_(rest.F) {
-  for (const auto& t : F_.colwise()) {
-    if (t.minCoeff() >= 0 && t.maxCoeff() < vertices_) continue;
-    std::ostringstream what;
-    what << "triangle (" << t[0] << ", " << t[1] << ", " << t[2] << ") names a vertex that is not "
-         << "there; indices go from 0 to " << vertices_ - 1;
-    throw InputError(what.str());
-  }
+  check(rest);
   neighbours_ = neighbours_of(F_);
 }
 
