@@ -25,11 +25,12 @@ Eigen::Vector3d continued(const Eigen::Matrix3d& R, const Eigen::Vector3d& befor
     const Eigen::Vector3d least = turn.angle() * turn.axis();
     return Eigen::Vector3d(least + full * std::round(axis.dot(before - least) / full) * axis);
   };
-  const Eigen::Vector3d along_axis = wound(turn.axis());
+  Eigen::Vector3d along_axis = wound(turn.axis());
   if (!(before.norm() > 0)) return along_axis;
-  const Eigen::Vector3d along_before = wound(before.normalized());
+  Eigen::Vector3d along_before = wound(before.normalized());
   const bool is_axis = (along_axis - before).norm() <= (along_before - before).norm();
-  return is_axis || turn.angle() > std::numbers::pi / 2 ? along_axis : along_before;
+  if (is_axis || turn.angle() > std::numbers::pi / 2) return along_axis;
+  return along_before;
 }
 
 // The largest angle that is known [rad].
