@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "experiments/measure/drag.h"
@@ -101,11 +103,32 @@ class Stretch {
   double mean_ = 0;
 };
 
+// The longest way of a handle that turns with its group about the group's centroid. After a full
+// turn it is where it was, but it has moved.
+double longest_arc(const Eigen::Matrix3Xd& from, const Handles& handles) {
+  if (handles.rotations.cols() == 0) return 0;
+  std::map<int, std::vector<int>> groups;
+  for (int l = 0; l < from.cols(); ++l) {
+    const bool turns = handles.rotations.col(l).allFinite();
+    if (turns) groups[handles.groups.empty() ? l : handles.groups[l]].push_back(l);
+  }
+  double longest = 0;
+  for (const auto& [number, group] : groups) {
+    const Eigen::Vector3d centroid = from(Eigen::all, group).rowwise().mean();
+    for (const int l : group) {
+      const Eigen::Vector3d arm = from.col(l) - centroid, turn = handles.rotations.col(l);
+      longest = std::max(longest, turn.cross(arm).norm());  // the angle times the distance
+    }
+  }
+  return longest;
+}
+
 }  // namespace
 
 double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets) {
   if (targets.cols() == 0) return 0;
-  return (targets - targets_at_rest(rest, handles)).colwise().norm().maxCoeff();
+  const Eigen::Matrix3Xd from = targets_at_rest(rest, handles);
+  return std::max((targets - from).colwise().norm().maxCoeff(), longest_arc(from, handles));
 }
 
 std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3Xd& V,

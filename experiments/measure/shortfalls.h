@@ -12,7 +12,8 @@
 // one sentence for each kind of shortfall, and nothing where all is well.
 namespace deformlab {
 
-/// The longest way of a handle from its position at rest to its target [length].
+/// The longest way of a handle from its position at rest to its target, straight or along the arc
+/// on which it turns with its group [length].
 double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets);
 
 /// Handles that stop more than 2 % of the edit's motion, the longest way of a handle, short of

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "geometry/core/error.h"
 #include "tests/support/program.h"
@@ -37,6 +39,17 @@ TEST(MissedHandles, AreThoseThatStopShortByMoreThanTwoPercent) {
   EXPECT_THAT(OneHandle().missed(0.3),
               ElementsAre(AllOf(HasSubstr("vertex 40"), HasSubstr("0.3 short"), HasSubstr("30 %"),
                                 HasSubstr("try this"))));
+}
+
+TEST(EditMotion, OfAFullTurnIsItsArc) {
+  const Shape rest = bumpy_plane(9, 1, 0);
+  Handles handles{.fixed = {}, .moved = {0, 8, 72, 80}};
+  handles.groups.assign(4, 0);
+  const Eigen::Matrix3Xd targets = rest.V(Eigen::all, handles.moved);
+  EXPECT_EQ(edit_motion(rest, handles, targets), 0);
+  const double full = 2 * std::numbers::pi;
+  handles.rotations = Eigen::Vector3d(0, 0, full).replicate(1, 4);
+  EXPECT_NEAR(edit_motion(rest, handles, targets), full * std::sqrt(0.5), 1e-12);
 }
 
 TEST(MissedHandles, AnEditWithoutMotionMissesNothing) {

@@ -97,8 +97,7 @@ class ShapeSubject : public Subject {
     if (options_.measure.edit) {
       metrics.merge(edge_and_volume_ratios(rest_, deformed));
       const double motion = edit_motion(rest_, edit_.handles, edit_.targets);
-      const bool ends_elsewhere = motion > 1e-9 * size;  // not after a full turn
-      if (ends_elsewhere) metrics["handle_miss"] = drag_.last.handle_max / motion;
+      if (motion > 0) metrics["handle_miss"] = drag_.last.handle_max / motion;
     }
     const bool is_plane = options_.shape.file.empty() && options_.shape.rod.sides == 0;
     if (options_.measure.stripes != 0 && is_plane) {
