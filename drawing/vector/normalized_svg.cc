@@ -11,6 +11,7 @@
 #include <pugixml.hpp>
 
 #include "drawing/paint.h"
+#include "drawing/vector/svg_work.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
@@ -158,12 +159,13 @@ struct Hidden : pugi::xml_tree_walker {
 }  // namespace
 
 NormalizedSvg normalized_svg(const std::string& bytes, const fs::path& name) {
-  const auto handle = open_for_curves(bytes, name);
-  NormalizedSvg svg = sized(handle.get(), name);
-  paint(handle.get(), name, svg);
   pugi::xml_document document;
   Hidden hidden;
   if (document.load_buffer(bytes.data(), bytes.size())) document.traverse(hidden);
+  check_svg_work(document, name);
+  const auto handle = open_for_curves(bytes, name);
+  NormalizedSvg svg = sized(handle.get(), name);
+  paint(handle.get(), name, svg);
   for (const auto& [what, count] : hidden.counts)
     (what == kOtherFiles ? svg.notes : svg.not_curves)
         .push_back(fmt::format("left out: {} ({})", what, count));
