@@ -22,7 +22,7 @@ fs::path find_drawing(const std::string& file, const fs::path& folder) {
   for (const char* package : kClipArt) places.push_back(fs::path(package) / file);
   for (const fs::path& place : places) {
     std::error_code ignored;
-    if (fs::is_regular_file(place, ignored)) return place;
+    if (fs::exists(place, ignored) && !fs::is_directory(place, ignored)) return place;
   }
   throw InputError(
       fmt::format("drawing.file '{}' is neither beside the config, nor in the working folder, nor "
