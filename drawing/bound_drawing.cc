@@ -55,12 +55,15 @@ Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& d
   if (!texture_ && drawing_.svg.empty() && depth.size() == 0) {
     return rasterized(paths_(parts_(V)), page, resolution);
   }
-  const Eigen::Matrix2Xd at = (parts_(V).colwise() - page.min()) * resolution;
-  const Eigen::VectorXd depths = parts_.depths(depth);
-  const PixelBox box{0, 0, static_cast<int>(size.x()), static_cast<int>(size.y())};
-  if (texture_) return texture_->draw(at, depths, box);
+  const double texels = texture_ ? 1 : resolution;  // for each unit of length
+  const Eigen::Matrix2Xd at = (parts_(V).colwise() - drawing_.page.min()) * texels;
+  const TextureView view{.width = static_cast<int>(size.x()),
+                         .height = static_cast<int>(size.y()),
+                         .origin = (page.min() - drawing_.page.min()) * texels,
+                         .scale = resolution / texels};
+  if (texture_) return texture_->draw(at, parts_.depths(depth), view);
   return TextureMap(at_rest(resolution), in_pixels(parts_.all(), drawing_.page, resolution))
-      .draw(at, depths, box);
+      .draw(at, parts_.depths(depth), view);
 }
 
 Bitmap BoundDrawing::at_rest(double resolution) const {

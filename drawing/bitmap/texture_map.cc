@@ -12,7 +12,8 @@ namespace deformlab {
 namespace {
 
 constexpr int kBand = 32;                // rows drawn at once
-constexpr int kMostSamples = 8;          // along each side of a pixel, if the texture shrinks
+constexpr int kMostSamples = 8;          // of the texture along each side of what is drawn
+constexpr int kMostParts = 64;           // along each side of a pixel, if the whole drawing shrinks
 constexpr double kCrisp = 1.5;           // pixels this near to the mesh follow one limb [texel]
 constexpr double kThin = 2, kTorn = 10;  // growth of squares from which on they fade, and vanish
 constexpr double kSameLayer = 2;         // two hits with a smaller distance are one layer [texel]
@@ -106,9 +107,10 @@ void store(const Eigen::Vector4d& premultiplied, std::uint8_t* pixel) {
         static_cast<std::uint8_t>(std::lround(255 * std::clamp(premultiplied[c] / a, 0.0, 1.0)));
 }
 
-/// Draws the rows of `box`, whose first is row `top` of the output.
+/// Draws the rows of `box`, a band of a picture in which each pixel of the output is parts × parts
+/// pixels. A pixel of the output gets their mean.
 void draw_band(const Bitmap& texture, const std::vector<Piece>& pieces,
-               const std::vector<std::size_t>& here, const PixelBox& box, Bitmap& out) {
+               const std::vector<std::size_t>& here, const PixelBox& box, int parts, Bitmap& out) {
   std::vector<Hit> hits;
   for (const std::size_t i : here)
     for_each_pixel(pieces[i].at, box, [&](int x, int y, const Eigen::Vector3d& b) {
@@ -119,17 +121,40 @@ void draw_band(const Bitmap& texture, const std::vector<Piece>& pieces,
     return std::tuple(a.pixel, -p.depth, p.is_square, b.piece) <
            std::tuple(b.pixel, -q.depth, q.is_square, a.piece);
   });
+  const int rows = box.height / parts;
+  Eigen::Matrix4Xd sums = Eigen::Matrix4Xd::Zero(4, Eigen::Index{rows} * out.width);
   for (auto begin = hits.begin(); begin != hits.end();) {
     const auto end =
         std::find_if(begin, hits.end(), [&](const Hit& hit) { return hit.pixel != begin->pixel; });
-    const Eigen::Vector4d color = blend(texture, pieces, &*begin, &*begin + (end - begin));
-    store(color, out.pixel(begin->pixel % box.width, box.top + begin->pixel / box.width));
+    const int x = begin->pixel % box.width / parts, y = begin->pixel / box.width / parts;
+    sums.col(Eigen::Index{y} * out.width + x) +=
+        blend(texture, pieces, &*begin, &*begin + (end - begin));
     begin = end;
   }
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < out.width; ++x)
+      store(sums.col(Eigen::Index{y} * out.width + x) / (parts * parts),
+            out.pixel(x, box.top / parts + y));
 }
 
 double area_of(const Eigen::Matrix<double, 2, 3>& triangle) {
   return std::abs((triangle.rightCols<2>().colwise() - triangle.col(0)).determinant()) / 2;
+}
+
+double area_of(const Triangulation& mesh, const Eigen::Matrix2Xd& V) {
+  double area = 0;
+  for (Eigen::Index f = 0; f < mesh.F.cols(); ++f) area += area_of(corners(V, mesh.F, f));
+  return area;
+}
+
+/// Into how many parts each side of a pixel is divided, so that a part is not much larger than a
+/// pixel of the texture. What is drawn at the parts' centres would otherwise show only some of the
+/// squares at the rim, and the rim would be jagged.
+int parts_along(const Triangulation& mesh, const Eigen::Matrix2Xd& V) {
+  constexpr double kNearlyOne = 1.05;  // a drawing that shrinks by less is drawn as it is
+  const double shrinks = std::sqrt(area_of(mesh, mesh.V) / std::max(area_of(mesh, V), 1e-12));
+  return shrinks < kNearlyOne ? 1
+                              : static_cast<int>(std::min<double>(kMostParts, std::ceil(shrinks)));
 }
 
 /// What the corners of the squares keep of their opacity with the corners at V (2×n). Between two
@@ -147,13 +172,13 @@ Eigen::VectorXd kept_ink(const Triangulation& squares, const Eigen::Matrix2Xd& V
 }
 
 /// For each band of rows, the pieces that overlap it.
-std::vector<std::vector<std::size_t>> by_band(const std::vector<Piece>& pieces, int height) {
-  std::vector<std::vector<std::size_t>> bands(
-      static_cast<std::size_t>((height + kBand - 1) / kBand));
+std::vector<std::vector<std::size_t>> by_band(const std::vector<Piece>& pieces, int height,
+                                              int band) {
+  std::vector<std::vector<std::size_t>> bands(static_cast<std::size_t>((height + band - 1) / band));
   const double last = static_cast<double>(bands.size()) - 1;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const double from = std::max(0.0, std::floor(pieces[i].at.row(1).minCoeff() / kBand));
-    const double to = std::min(last, std::floor(pieces[i].at.row(1).maxCoeff() / kBand));
+    const double from = std::max(0.0, std::floor(pieces[i].at.row(1).minCoeff() / band));
+    const double to = std::min(last, std::floor(pieces[i].at.row(1).maxCoeff() / band));
     for (double b = from; b <= to; ++b) bands[static_cast<std::size_t>(b)].push_back(i);
   }
   return bands;
@@ -168,27 +193,31 @@ TextureMap::TextureMap(Bitmap texture, Triangulation rest)
 }
 
 Bitmap TextureMap::draw(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
-                        const PixelBox& box) const {
+                        const TextureView& view) const {
   if (V.cols() != rest_.V.cols() || !V.allFinite())
     throw InputError("cannot draw: the deformed vertices must be as many as at rest, and finite");
-  Bitmap out(box.width, box.height);
-  const Eigen::Vector2d origin(box.left, box.top);
+  Bitmap out(view.width, view.height);
+  const int parts = parts_along(rest_, view.scale * V);
+  const auto in_parts = [&](const Eigen::Matrix<double, 2, 3>& at) {
+    return Eigen::Matrix<double, 2, 3>(parts * view.scale * (at.colwise() - view.origin));
+  };
   const Eigen::Matrix2Xd square_corners = square_corners_(V);
   const Eigen::VectorXd ink = kept_ink(squares_, square_corners);
   std::vector<Piece> pieces;
   const auto depth_of = [&](Eigen::Index f) { return depth.size() > 0 ? depth[f] : 0.0; };
   for (Eigen::Index f = 0; f < rest_.F.cols(); ++f)
-    pieces.push_back({corners(V, rest_.F, f).colwise() - origin, corners(rest_.V, rest_.F, f),
+    pieces.push_back({in_parts(corners(V, rest_.F, f)), corners(rest_.V, rest_.F, f),
                       Eigen::Vector3d::Ones(), depth_of(f), false});
   for (Eigen::Index f = 0; f < squares_.F.cols(); ++f)
-    pieces.push_back({corners(square_corners, squares_.F, f).colwise() - origin,
+    pieces.push_back({in_parts(corners(square_corners, squares_.F, f)),
                       corners(squares_.V, squares_.F, f), ink(squares_.F.col(f)),
                       depth_of(square_corners_.triangle(squares_.F(0, f))), true});
-  const auto bands = by_band(pieces, box.height);
+  const int band_rows = std::max(1, kBand / parts) * parts, rows = view.height * parts;
+  const auto bands = by_band(pieces, rows, band_rows);
   Workers(0).each(static_cast<int>(bands.size()), [&](int band) {
-    const int top = band * kBand, rows = std::min(kBand, box.height - top);
-    draw_band(texture_, pieces, bands[static_cast<std::size_t>(band)], {0, top, box.width, rows},
-              out);
+    const int top = band * band_rows, height = std::min(band_rows, rows - top);
+    draw_band(texture_, pieces, bands[static_cast<std::size_t>(band)],
+              {0, top, view.width * parts, height}, parts, out);
   });
   return out;
 }

@@ -13,10 +13,10 @@ using test::disc;
 using test::grid_mesh;
 
 constexpr int kSize = 64;
-const PixelBox kBox{0, 0, kSize, kSize};
+const TextureView kView{.width = kSize, .height = kSize};
 
 Bitmap drawn(const TextureMap& map, const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth = {}) {
-  return map.draw(V, depth, kBox);
+  return map.draw(V, depth, kView);
 }
 
 /// The mesh cuts into the disc everywhere: what is drawn beyond it is the texture's too.
@@ -89,6 +89,47 @@ TEST(TextureMap, ShrunkTextureIsAveraged) {
   const Bitmap out = drawn(TextureMap(checks, mesh), mesh.V / 4);
   for (int y = 2; y < kSize / 4 - 2; ++y)
     for (int x = 2; x < kSize / 4 - 2; ++x) EXPECT_NEAR(out.pixel(x, y)[0], 128, 8);
+}
+
+/// Premultiplied means of n×n pixels, four rows of colours and alpha, 0 … 255.
+Eigen::ArrayXXd means(const Bitmap& bitmap, int n) {
+  const int width = bitmap.width / n, height = bitmap.height / n;
+  Eigen::ArrayXXd result = Eigen::ArrayXXd::Zero(4, Eigen::Index{width} * height);
+  for (int y = 0; y < height * n; ++y)
+    for (int x = 0; x < width * n; ++x) {
+      const std::uint8_t* p = bitmap.pixel(x, y);
+      const double a = p[3] / 255.0;
+      result.col(Eigen::Index{y / n} * width + x / n) +=
+          Eigen::Array4d(a * p[0], a * p[1], a * p[2], p[3]) / (n * n);
+    }
+  return result;
+}
+
+TEST(TextureMap, ASmallPictureIsTheMeanOfTheLargeOne) {
+  constexpr int kLarge = 256;
+  Bitmap texture = disc(kLarge, kLarge, {128, 128}, 100);
+  for (int y = 0; y < kLarge; ++y)  // a dark rim, as outlines have
+    for (int x = 0; x < kLarge; ++x)
+      if (Eigen::Vector2d(x - 127.5, y - 127.5).norm() > 94) std::fill_n(texture.pixel(x, y), 3, 0);
+  const Triangulation mesh = grid_mesh(9, {60, 60}, {196, 196});
+  Eigen::Matrix2Xd V = mesh.V;
+  for (auto v : V.colwise())
+    v += Eigen::Vector2d(6 * std::sin(v.y() / 30), 5 * std::cos(v.x() / 25));
+  const TextureMap map(texture, mesh);
+  constexpr int kSmall = kLarge / 4;
+  const Eigen::ArrayXXd large = means(map.draw(V, {}, {kLarge, kLarge}), 4);
+  const Eigen::ArrayXXd small =
+      means(map.draw(V, {}, {.width = kSmall, .height = kSmall, .scale = 0.25}), 1);
+  EXPECT_LT((large - small).abs().maxCoeff(), 4);
+  const TextureView twice{.width = kLarge, .height = kLarge, .origin = {64, 64}, .scale = 2};
+  const Eigen::ArrayXXd middle = means(map.draw(V, {}, twice), 8);
+  for (int y = 0; y < kLarge / 8; ++y)
+    for (int x = 0; x < kLarge / 8; ++x)
+      EXPECT_LT((middle.col(Eigen::Index{y} * (kLarge / 8) + x) -
+                 large.col(Eigen::Index{y + 16} * kSmall + x + 16))
+                    .abs()
+                    .maxCoeff(),
+                8);
 }
 
 /// The left half folded over the right one about the line in the middle.
