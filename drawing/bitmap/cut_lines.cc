@@ -1,5 +1,7 @@
 #include "drawing/bitmap/cut_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,17 +29,31 @@ std::pair<Eigen::Index, Eigen::Index> range(double a, double b, Eigen::Index siz
 
 }  // namespace
 
-void cut_along(const CutLines& lines, double resolution, Eigen::ArrayXXf& alpha) {
-  for (const Eigen::Matrix2Xd& line : lines) {
+std::vector<std::string> cut_along(const CutLines& lines, double resolution,
+                                   Eigen::ArrayXXf& alpha) {
+  std::vector<std::string> notes;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const Eigen::Matrix2Xd& line = lines[l];
+    bool meets = false;
     for (Eigen::Index i = 0; i + 1 < line.cols(); ++i) {
       const Eigen::Vector2d from = resolution * line.col(i), to = resolution * line.col(i + 1);
       const auto [left, right] = range(from.x(), to.x(), alpha.cols());
       const auto [top, bottom] = range(from.y(), to.y(), alpha.rows());
       for (Eigen::Index y = top; y <= bottom; ++y)
         for (Eigen::Index x = left; x <= right; ++x)
-          if (distance({x + 0.5, y + 0.5}, from, to) < kHalf) alpha(y, x) = 0;
+          if (alpha(y, x) > 0 && distance({x + 0.5, y + 0.5}, from, to) < kHalf) {
+            alpha(y, x) = 0;
+            meets = true;
+          }
+    }
+    if (!meets) {
+      notes.push_back(fmt::format(
+          "cut[{}], from ({:g}, {:g}) to ({:g}, {:g}), cuts nothing: it meets no part of the "
+          "drawing",
+          l, line(0, 0), line(1, 0), line(0, line.cols() - 1), line(1, line.cols() - 1)));
     }
   }
+  return notes;
 }
 
 }  // namespace deformlab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 namespace deformlab {
@@ -10,7 +11,8 @@ using CutLines = std::vector<Eigen::Matrix2Xd>;
 
 /// Clears the opacity of the pixels on the lines, so that what lies on either side is no longer
 /// connected. The lines are multiplied by `resolution` [pixel/length]. A cut is about as wide as
-/// two pixels.
-void cut_along(const CutLines& lines, double resolution, Eigen::ArrayXXf& alpha);
+/// two pixels. Returns a note for each line that meets nothing.
+std::vector<std::string> cut_along(const CutLines& lines, double resolution,
+                                   Eigen::ArrayXXf& alpha);
 
 }  // namespace deformlab

@@ -55,26 +55,79 @@ bool is_kept(std::string_view name) {
   return name == "iCCP" || name == "pHYs" || name == "tEXt" || name == "zTXt" || name == "iTXt";
 }
 
+std::string made(const std::string& name, const std::string& data) {
+  const std::string body = name + data;
+  return bytes_of(static_cast<std::uint32_t>(data.size())) + body + bytes_of(checksum(body));
+}
+
 /// A pHYs chunk for pixels that are smaller by `scale`.
 std::string scaled(const Chunk& resolution, double scale) {
   const std::string_view data = resolution.data();
   if (data.size() != 9) return "";
-  std::string body = "pHYs";
+  std::string densities;
   for (const std::size_t at : {std::size_t{0}, std::size_t{4}}) {
     const double density = std::round(number_at(data, at) * scale);
-    body += bytes_of(static_cast<std::uint32_t>(std::clamp(density, 1.0, 2147483647.0)));
+    densities += bytes_of(static_cast<std::uint32_t>(std::clamp(density, 1.0, 2147483647.0)));
   }
-  body += data[8];
-  return bytes_of(9) + body + bytes_of(checksum(body));
+  return made("pHYs", densities + data[8]);
+}
+
+/// A pHYs chunk for rows that become columns.
+std::string turned_around(const Chunk& resolution) {
+  const std::string data(resolution.data());
+  return data.size() == 9 ? made("pHYs", data.substr(4, 4) + data.substr(0, 4) + data[8]) : "";
+}
+
+/// The data of the first chunk with this name.
+std::string data_of(const std::string& png, std::string_view name) {
+  if (!png.starts_with("\x89PNG") || png.size() < kSignature) return "";
+  for (const Chunk& chunk : chunks_of(std::string_view(png).substr(kSignature)))
+    if (chunk.name() == name) return std::string(chunk.data());
+  return "";
 }
 
 }  // namespace
 
-std::string kept_chunks(const std::string& png) {
+std::string kept_chunks(const std::string& png, bool turned) {
   std::string kept;
   if (!png.starts_with("\x89PNG") || png.size() < kSignature) return kept;
-  for (const Chunk& chunk : chunks_of(std::string_view(png).substr(kSignature)))
-    if (is_kept(chunk.name())) kept += chunk.all;
+  for (const Chunk& chunk : chunks_of(std::string_view(png).substr(kSignature))) {
+    if (!is_kept(chunk.name())) continue;
+    kept += turned && chunk.name() == "pHYs" ? turned_around(chunk) : std::string(chunk.all);
+  }
+  return kept;
+}
+
+std::string exif_of_png(const std::string& png) { return data_of(png, "eXIf"); }
+
+std::string profile_of_png(const std::string& png) {
+  constexpr std::size_t kMost = 1 << 24;  // [byte]; real profiles have at most a few million
+  const std::string data = data_of(png, "iCCP");
+  const std::size_t name = data.find('\0');
+  if (name == data.npos || data.size() < name + 2) return "";
+  const std::string_view packed = std::string_view(data).substr(name + 2);
+  std::string profile(kMost, '\0');
+  uLongf size = kMost;
+  if (uncompress(reinterpret_cast<Bytef*>(profile.data()), &size,
+                 reinterpret_cast<const Bytef*>(packed.data()), packed.size()) != Z_OK)
+    return "";
+  profile.resize(size);
+  return profile;
+}
+
+std::string profile_chunk(const std::string& profile) {
+  uLongf size = compressBound(profile.size());
+  std::string packed(size, '\0');
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+           reinterpret_cast<const Bytef*>(profile.data()), profile.size());
+  const std::string name_and_method("ICC profile\0\0", 13);
+  return made("iCCP", name_and_method + packed.substr(0, size));
+}
+
+std::string without_profile(const std::string& chunks) {
+  std::string kept;
+  for (const Chunk& chunk : chunks_of(chunks))
+    if (chunk.name() != "iCCP") kept += chunk.all;
   return kept;
 }
 

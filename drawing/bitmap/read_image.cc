@@ -1,13 +1,13 @@
 #include "drawing/bitmap/read_image.h"
 
 #include <fmt/format.h>
-#include <libexif/exif-data.h>
 #include <turbojpeg.h>
 #include <webp/decode.h>
 
 #include <algorithm>
 #include <memory>
 
+#include "drawing/bitmap/image_metadata.h"
 #include "drawing/bitmap/png_chunks.h"
 #include "geometry/core/files.h"
 
@@ -26,22 +26,13 @@ Bitmap bitmap_for(int width, int height, const fs::path& path) {
   return {width, height};
 }
 
-/// The orientation that EXIF data give: 1 to 8, where 1 is upright.
-int orientation_of(const std::string& bytes) {
-  const std::unique_ptr<ExifData, decltype(&exif_data_unref)> data(
-      exif_data_new_from_data(unsigned_bytes(bytes), static_cast<unsigned>(bytes.size())),
-      exif_data_unref);
-  if (!data) return 1;
-  const ExifEntry* entry = exif_content_get_entry(data->ifd[EXIF_IFD_0], EXIF_TAG_ORIENTATION);
-  if (!entry || entry->format != EXIF_FORMAT_SHORT || entry->size < 2) return 1;
-  return exif_get_short(entry->data, exif_data_get_byte_order(data.get()));
-}
+bool is_turned(int orientation) { return orientation >= 5 && orientation <= 8; }
 
 /// The upright image. From 5 on, rows and columns are exchanged; 2, 3, 6 and 7 then run from the
 /// right, and 3, 4, 7 and 8 from the bottom.
-Bitmap upright(const Bitmap& stored, int orientation) {
+Bitmap upright(Bitmap stored, int orientation) {
   if (orientation < 2 || orientation > 8) return stored;
-  const bool turned = orientation >= 5;
+  const bool turned = is_turned(orientation);
   const bool from_right =
       orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
   const bool from_bottom =
@@ -68,7 +59,7 @@ Bitmap read_jpeg(const std::string& bytes, const fs::path& path) {
   if (tjDecompress2(decoder.get(), unsigned_bytes(bytes), bytes.size(), bitmap.rgba.data(), width,
                     0, height, TJPF_RGBA, TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING) != 0)
     cannot_read(path, fmt::format("{}; the file is damaged", tjGetErrorStr2(decoder.get())));
-  return upright(bitmap, orientation_of(bytes));
+  return bitmap;
 }
 
 Bitmap read_webp(const std::string& bytes, const fs::path& path) {
@@ -85,16 +76,33 @@ Bitmap read_webp(const std::string& bytes, const fs::path& path) {
 
 }  // namespace
 
-bool is_image(const std::string& extension) {
-  return extension == ".png" || extension == ".jpg" || extension == ".jpeg" || extension == ".webp";
-}
-
 ReadImage read_image(const fs::path& path) {
   const std::string bytes = read_file(path);
-  if (bytes.starts_with("\xff\xd8")) return {read_jpeg(bytes, path), ""};
-  if (bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP")
-    return {read_webp(bytes, path), ""};
-  return {read_png(path), kept_chunks(bytes)};
+  const bool is_jpeg = bytes.starts_with("\xff\xd8");
+  const bool is_png = bytes.starts_with("\x89PNG");
+  const bool is_webp =
+      bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP";
+  if (!is_jpeg && !is_webp && !is_png)
+    cannot_read(path, "its bytes are not those of a PNG, JPEG or WebP image; save it as one");
+  const ImageMetadata metadata = is_jpeg ? metadata_of_jpeg(bytes)
+                                 : is_webp
+                                     ? metadata_of_webp(bytes)
+                                     : ImageMetadata{exif_of_png(bytes), profile_of_png(bytes)};
+  const int orientation = orientation_of(metadata.exif);
+  ReadImage image;
+  image.bitmap = upright(is_jpeg   ? read_jpeg(bytes, path)
+                         : is_webp ? read_webp(bytes, path)
+                                   : read_png(path),
+                         orientation);
+  image.chunks = kept_chunks(bytes, is_turned(orientation));
+  if (metadata.profile.empty()) return image;
+  if (!is_rgb_profile(metadata.profile)) {
+    image.chunks = without_profile(image.chunks);
+    image.notes.emplace_back("left out: its colour profile, which is not for red, green and blue");
+  } else if (is_jpeg || is_webp) {
+    image.chunks = profile_chunk(metadata.profile);
+  }
+  return image;
 }
 
 }  // namespace deformlab

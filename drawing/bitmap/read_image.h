@@ -2,24 +2,24 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "drawing/bitmap/bitmap.h"
 
 namespace deformlab {
 
-/// Whether the extension, in lower case and with its dot, is that of an image that can be read.
-bool is_image(const std::string& extension);
-
 /// An image of a file, and what the file says about it.
 struct ReadImage {
   Bitmap bitmap;
-  /// The chunks of a PNG that tell its colour profile, its resolution and its texts.
+  /// Chunks for a PNG of it: the colour profile and, of a PNG, the resolution and the texts.
   std::string chunks;
+  std::vector<std::string> notes;  ///< what the user should know, such as a profile left out
 };
 
 /// Reads a PNG, JPEG or WebP image; its first bytes say which it is. The orientation that EXIF data
-/// of a JPEG give is applied. Throws InputError if the file cannot be read completely, is animated,
-/// or is larger than a Bitmap may be.
+/// give is applied. A colour profile that is not about red, green and blue is left out. Throws
+/// InputError if the file cannot be read completely, is animated, or is larger than a Bitmap may
+/// be.
 ReadImage read_image(const std::filesystem::path& path);
 
 }  // namespace deformlab

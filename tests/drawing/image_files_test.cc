@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
 #include <webp/encode.h>
+#include <zlib.h>
 
 #include "drawing/bitmap/png_chunks.h"
 #include "drawing/bitmap/read_image.h"
@@ -39,13 +40,63 @@ std::string jpeg(const Bitmap& bitmap) {
   return result;
 }
 
+/// EXIF data that give an orientation, as they begin with the header of a TIFF.
+std::string tiff(char orientation) {
+  using namespace std::string_literals;
+  return "MM\0*\0\0\0\10\0\1\1\22\0\3\0\0\0\1\0"s + orientation + "\0\0\0\0\0\0"s;
+}
+
+/// The JPEG with a segment in front.
+std::string with_segment(const std::string& jpeg, char marker, const std::string& data) {
+  const std::string length{static_cast<char>((data.size() + 2) >> 8),
+                           static_cast<char>(data.size() + 2)};
+  return jpeg.substr(0, 2) + "\xff" + marker + length + data + jpeg.substr(2);
+}
+
 /// The JPEG with EXIF data that give an orientation.
 std::string oriented(const std::string& jpeg, char orientation) {
   using namespace std::string_literals;
-  const std::string exif =
-      "Exif\0\0MM\0*\0\0\0\10\0\1\1\22\0\3\0\0\0\1\0"s + orientation + "\0\0\0\0\0\0"s;
-  const std::string length{'\0', static_cast<char>(exif.size() + 2)};
-  return jpeg.substr(0, 2) + "\xff\xe1" + length + exif + jpeg.substr(2);
+  return with_segment(jpeg, '\xe1', "Exif\0\0"s + tiff(orientation));
+}
+
+/// An ICC profile as far as its header goes.
+std::string profile(const std::string& colors) {
+  std::string bytes(400, 'p');
+  return bytes.replace(16, 4, colors);
+}
+
+std::string little_endian(std::size_t value, int bytes) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i));
+  return text;
+}
+
+/// A WebP with EXIF data and an ICC profile.
+std::string webp(const Bitmap& bitmap, const std::string& exif, const std::string& icc) {
+  std::uint8_t* bytes = nullptr;
+  const std::size_t size = WebPEncodeLosslessRGBA(bitmap.rgba.data(), bitmap.width, bitmap.height,
+                                                  4 * bitmap.width, &bytes);
+  const std::string plain(reinterpret_cast<const char*>(bytes), size);
+  WebPFree(bytes);
+  const auto chunk = [](const std::string& name, const std::string& data) {
+    return name + little_endian(data.size(), 4) + data + std::string(data.size() % 2, '\0');
+  };
+  const std::string head = little_endian(0x38, 4) + little_endian(bitmap.width - 1, 3) +
+                           little_endian(bitmap.height - 1, 3);
+  const std::string body =
+      "WEBP" + chunk("VP8X", head) + chunk("ICCP", icc) + plain.substr(12) + chunk("EXIF", exif);
+  return "RIFF" + little_endian(body.size(), 4) + body;
+}
+
+/// A chunk of a PNG.
+std::string chunk(const std::string& name, const std::string& data) {
+  const auto big_endian = [](std::size_t value) {
+    const std::string text = little_endian(value, 4);
+    return std::string(text.rbegin(), text.rend());
+  };
+  const std::string body = name + data;
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
+  return big_endian(data.size()) + body + big_endian(sum);
 }
 
 TEST_F(ImageFiles, AJpegIsRead) {
@@ -63,6 +114,53 @@ TEST_F(ImageFiles, TheOrientationOfAJpegIsApplied) {
   EXPECT_GT(turned.pixel(8, 4)[0], 240);  // what was on the left is at the top
   const Bitmap flipped = read_image(put("b.jpg", oriented(jpeg(halves()), 2))).bitmap;
   EXPECT_GT(flipped.pixel(4, 8)[2], 240);
+}
+
+TEST_F(ImageFiles, TheOrientationOfAPngAndAWebpIsApplied) {
+  using namespace std::string_literals;
+  write_png(halves(), place("plain.png"));
+  const std::string density = chunk("pHYs", "\0\0\0\1\0\0\0\2\1"s);
+  put("a.png", with_chunks(get("plain.png"), density + chunk("eXIf", tiff(6)), 1));
+  put("a.webp", webp(halves(), tiff(6), profile("RGB ")));
+  put("b.webp", webp(halves(), "Exif\0\0"s + tiff(6), profile("RGB ")));
+  for (const char* name : {"a.png", "a.webp", "b.webp"}) {
+    const Bitmap turned = read_image(place(name)).bitmap;
+    ASSERT_EQ(turned.width, 16) << name;
+    EXPECT_EQ(turned.pixel(8, 4)[0], 255) << "what was on the left is at the top";
+  }
+  EXPECT_EQ(read_image(place("a.png")).chunks, chunk("pHYs", "\0\0\0\2\0\0\0\1\1"s));
+}
+
+TEST_F(ImageFiles, TheColourProfileOfEveryFormatIsKept) {
+  using namespace std::string_literals;
+  const std::string icc = profile("RGB ");
+  const std::string half = icc.substr(0, 150), rest = icc.substr(150);
+  // The parts of a JPEG's profile may stand in any order.
+  put("a.jpg", with_segment(with_segment(jpeg(halves()), '\xe2', "ICC_PROFILE\0\1\2"s + half),
+                            '\xe2', "ICC_PROFILE\0\2\2"s + rest));
+  put("a.webp", webp(halves(), tiff(1), icc));
+  write_png(halves(), place("plain.png"));
+  put("a.png", with_chunks(get("plain.png"), profile_chunk(icc), 1));
+  for (const char* name : {"a.jpg", "a.webp", "a.png"}) {
+    const ReadImage image = read_image(place(name));
+    EXPECT_EQ(image.chunks, profile_chunk(icc)) << name;
+    write_png(image.bitmap, place("out.png"), image.chunks);
+    EXPECT_EQ(profile_of_png(get("out.png")), icc) << name;
+    EXPECT_THAT(get("out.png"), ::testing::Not(HasSubstr("sRGB"))) << "the profile replaces it";
+  }
+}
+
+TEST_F(ImageFiles, AProfileThatDoesNotFitThePixelsIsLeftOutAndNamed) {
+  using namespace std::string_literals;
+  const std::string icc = profile("GRAY");
+  put("a.jpg", with_segment(jpeg(halves()), '\xe2', "ICC_PROFILE\0\1\1"s + icc));
+  write_png(halves(), place("plain.png"));
+  put("a.png", with_chunks(get("plain.png"), profile_chunk(icc), 1));
+  for (const char* name : {"a.jpg", "a.png"}) {
+    const ReadImage image = read_image(place(name));
+    EXPECT_EQ(image.chunks, "") << name;
+    EXPECT_THAT(image.notes, ::testing::ElementsAre(HasSubstr("colour profile"))) << name;
+  }
 }
 
 TEST_F(ImageFiles, AWebpIsRead) {
