@@ -12,8 +12,6 @@ void for_each_matrix(Path& path, Visit&& visit) {
   for (auto& curve : path.outlines.curves) visit(curve.points);
   for (auto& clip : path.clips)
     for (auto& curve : clip.curves) visit(curve.points);
-  visit(path.fill.points);
-  visit(path.stroke.points);
 }
 
 Eigen::Matrix2Xd all_points(const std::vector<VectorPath>& paths) {
@@ -49,14 +47,13 @@ std::vector<VectorPath> BoundPaths::operator()(const Eigen::Matrix2Xd& V) const 
   for (std::size_t i = 0; i < paths.size(); ++i) {
     VectorPath& path = paths[i];
     for_each_matrix(path, [&](Eigen::Matrix2Xd& points) {
-      const Eigen::Index begin = at, count = points.cols();
-      at += count;
-      const bool gradient = &points == &path.fill.points || &points == &path.stroke.points;
-      if (gradient && count > 0 && points_.outside().segment(begin, count).maxCoeff() > 0)
-        points = fitted_map(outline_points(rest_[i]), outline_points(path)) * points;
-      else
-        points = moved.middleCols(begin, count);
+      points = moved.middleCols(at, points.cols());
+      at += points.cols();
     });
+    if (path.fill.points.size() == 0 && path.stroke.points.size() == 0) continue;
+    const Eigen::Affine2d map = fitted_map(outline_points(rest_[i]), outline_points(path));
+    for (Paint* paint : {&path.fill, &path.stroke})
+      if (paint->points.size() > 0) paint->points = map * paint->points;
   }
   return paths;
 }

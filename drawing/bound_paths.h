@@ -8,9 +8,9 @@
 namespace deformlab {
 
 /// Paths whose control points follow a triangulation (Igarashi et al. 2005, section 3), so that
-/// curves stay curves. The points of a gradient do the same if all lie inside the mesh. Otherwise
-/// they move by the affine map that fits the path's own points best. Strokes and dashes keep their
-/// widths and lengths.
+/// curves stay curves. A gradient moves by the affine map that fits the points of its path best, so
+/// that paths that share a gradient and move differently each take theirs along. Strokes and dashes
+/// keep their widths and lengths.
 class BoundPaths {
  public:
   BoundPaths(std::vector<VectorPath> paths, const Triangulation& rest, const Locator& locator);
@@ -20,7 +20,7 @@ class BoundPaths {
 
  private:
   std::vector<VectorPath> rest_;
-  Binding points_;  ///< path by path: outlines, clips, fill, stroke
+  Binding points_;  ///< path by path: outlines, clips
 };
 
 /// The affine map that fits the columns of `from` to those of `to` by least squares. It is a

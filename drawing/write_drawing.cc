@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "drawing/formats.h"
 #include "drawing/vector/curves.h"
+#include "drawing/vector/layers.h"
 #include "drawing/vector/svg_names.h"
 #include "drawing/vector/write_svg.h"
 #include "geometry/core/error.h"
@@ -76,50 +78,65 @@ std::vector<std::string> growth(const Page& from, const Page& to) {
                   before.x(), before.y(), after.x(), after.y(), to.min().x(), to.min().y())};
 }
 
+/// Throws InputError if a PNG of the page would be too large. `advice` says what else helps.
+void check_size(const fs::path& out, const Page& page, double resolution, const char* advice) {
+  const Eigen::Vector2d size = page.sizes() * resolution;
+  const std::string problem = size_problem(std::max(1.0, size.x()), std::max(1.0, size.y()));
+  if (problem.empty()) return;
+  cannot_write(out, fmt::format("it would have {}; {}lower output.resolution (now {:g})", problem,
+                                advice, resolution));
+}
+
 }  // namespace
 
-void check_output(const fs::path& out, const Drawing& drawing) {
+void check_output(const fs::path& out, const Drawing& drawing,
+                  const DrawingOutputOptions& options) {
   const std::string extension = extension_of(out);
   if (extension == ".svg" && drawing.bitmap)
     cannot_write(out, "a bitmap has no curves for an SVG; write .png");
   if (extension == ".svg" && drawing.paths.empty())
     cannot_write(out, fmt::format("the drawing has no curves ({}); write .png",
                                   fmt::join(drawing.not_curves, "; ")));
-  for (const char* known : {".png", ".svg", ".obj", ".off", ".ply", ".stl"})
-    if (extension == known) return;
-  cannot_write(out,
-               fmt::format("unknown extension '{}'; known for drawings: .png, .svg, .obj, .off, "
-                           ".ply, .stl",
-                           extension));
+  if (extension == ".png")
+    check_size(out, options.page.fixed(drawing).value_or(drawing.page),
+               resolution_for(drawing, options.resolution),
+               options.page.box ? "make the box of output.page smaller, or " : "");
+  if (is_one_of(kPictureFormats, extension) || is_one_of(kFlatMeshFormats, extension)) return;
+  cannot_write(out, fmt::format("unknown extension '{}'; known for drawings: {}", extension,
+                                formats_written()));
 }
 
 std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& drawing,
                                        const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
                                        const DrawingOutputOptions& options) {
   check_options(options);
-  check_output(out, drawing.drawing());
+  check_output(out, drawing.drawing(), options);
   if (!V.allFinite()) cannot_write(out, "a deformed vertex is not finite");
   const std::string extension = extension_of(out);
-  if (extension != ".png" && extension != ".svg") {
+  if (!is_one_of(kPictureFormats, extension)) {
     write_mesh(out, drawing, V);
     return {};
   }
   const double resolution = resolution_for(drawing.drawing(), options.resolution);
   const Page& own = drawing.drawing().page;
-  const Page page = options.grow ? drawing.page_for(V, 1 / resolution) : own;
-  std::vector<std::string> notes = growth(own, page);
+  const std::optional<Page> fixed = options.page.fixed(drawing.drawing());
+  const Page page = fixed ? *fixed : drawing.page_for(V, 1 / resolution);
+  std::vector<std::string> notes;
+  if (!fixed) notes = growth(own, page);
   if (extension == ".png") {
-    const Eigen::Vector2d size = page.sizes() * resolution;
-    const std::string problem = size_problem(std::max(1.0, size.x()), std::max(1.0, size.y()));
-    if (!problem.empty())
-      cannot_write(out, fmt::format("it would have {}; move the handles less far, lower "
-                                    "output.resolution or set output.grow=false",
-                                    problem));
+    check_size(out, page, resolution, "move the handles less far, set output.page=keep, or ");
     write_png(drawing.picture(V, depth, page, resolution), out, drawing.drawing().chunks,
               resolution);
   } else {
     const std::string& svg = drawing.drawing().svg;
     const SvgNames names = svg.empty() ? SvgNames() : SvgNames(svg, drawing.drawing().file);
+    notes.insert(notes.end(), names.notes().begin(), names.notes().end());
+    if (const std::size_t layers = layers_of(depth); layers > kMostLayers) {
+      notes.push_back(fmt::format(
+          "the drawing has {} depths, and an SVG shows at most {}: its paths keep the order of the "
+          "file where they overlap; write .png, or leave depth.adjust at true",
+          layers, kMostLayers));
+    }
     write_svg(merged(drawing.paths(V, depth), page), names, page, out);
     for (const std::string& note : drawing.drawing().not_curves)
       notes.push_back(fmt::format("{}; PNG output shows it as the input does", note));

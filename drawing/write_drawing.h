@@ -8,12 +8,31 @@
 
 namespace deformlab {
 
+/// The page of a picture of a deformed drawing: that of the drawing at rest, enlarged where the
+/// shape leaves it (BoundDrawing::page_for), or as it is.
+enum class PageRule { kGrow, kKeep };
+constexpr auto names_of(PageRule) {
+  using enum PageRule;
+  return std::to_array<EnumName<PageRule>>({{kGrow, "grow"}, {kKeep, "keep"}});
+}
+
+/// How the page of a picture is chosen.
+struct OutputPage {
+  PageRule rule = PageRule::kGrow;
+  std::optional<Page> box;  ///< the page instead of that of the rule, with an extent [length]
+
+  /// The page if it does not depend on the deformation, else nothing.
+  std::optional<Page> fixed(const Drawing& drawing) const {
+    return !box && rule == PageRule::kKeep ? drawing.page : box;
+  }
+};
+
 /// How a deformed drawing is written.
 struct DrawingOutputOptions {
   /// Resolution of a PNG [pixel/length]. 0 keeps the pixels of the drawing. Polygons, meshes, and
   /// vector drawings of less than 200 or more than 4,000 pixels get 1,000 along the longer side.
   double resolution = 0;
-  bool grow = true;  ///< whether the page grows to show the whole shape instead of cutting it off
+  OutputPage page;
   /// Whether the results of arap_2d's steps are written beside OUT: the mesh of step one as
   /// OUT.intermediate.obj, and the triangles that are fitted to it, each by itself, as
   /// OUT.fitted.obj (Igarashi et al. 2005, Figure 3).
@@ -24,8 +43,11 @@ struct DrawingOutputOptions {
     visit.range("resolution", o.resolution, {.min = 0, .max = 1e6},
                 "The resolution of a PNG in pixels for each unit of length; 0 keeps that of the "
                 "drawing [pixel/length]");
-    visit("grow", o.grow,
-          "Whether the page grows to hold the shape; otherwise what leaves the page is cut off");
+    visit("page", o.page,
+          "The page of a PNG or an SVG, and of the panels of a picture: that of the drawing, which "
+          "grows where the shape leaves it (grow); always that of the drawing, so that what leaves "
+          "it is cut off (keep); or a box [x0, y0, x1, y1] of positions in the drawing, for "
+          "pictures that belong together [pixel]");
     visit("steps", o.steps,
           "Whether the results of arap_2d's steps are written beside the drawing, as "
           "OUT.intermediate.obj and OUT.fitted.obj");
@@ -38,7 +60,9 @@ struct DrawingOutputOptions {
 ///   are. .obj .off .ply .stl  The mesh of any drawing, with z = 0 and y down. In OBJ, texture
 ///         coordinates are the positions at rest in the page. A drawing that was read from a mesh
 ///         of the same format keeps all else of its file.
-void check_output(const std::filesystem::path& out, const Drawing& drawing);
+/// It also throws if a PNG would be too large even if its page does not grow.
+void check_output(const std::filesystem::path& out, const Drawing& drawing,
+                  const DrawingOutputOptions& options);
 
 /// Writes the drawing with the vertices at V (2×#V). `depth` is that of BoundDrawing::picture. The
 /// file is complete, or there is none. Returns notes for the user about how the page grew. Throws

@@ -9,7 +9,6 @@
 namespace deformlab {
 namespace {
 
-constexpr std::size_t kMostLayers = 64;
 constexpr double kUnits = 1 << 24;     // of Clipper along the drawing's diagonal
 constexpr double kUnder = 1.0 / 1000;  // of the diagonal, by which a layer extends under others
 
@@ -143,6 +142,10 @@ void add_parts(const VectorPath& path, const Clipped& region, std::vector<Vector
 }
 
 }  // namespace
+
+std::size_t layers_of(const Eigen::VectorXd& depth) {
+  return std::set<double>(depth.begin(), depth.end()).size();
+}
 
 std::vector<VectorPath> in_layers(const std::vector<VectorPath>& paths, const Triangulation& rest,
                                   const Locator& locator, const Eigen::VectorXd& depth) {

@@ -27,8 +27,7 @@ constexpr double kMostAcross = 1e6;  // [pixel]
 /// This overrides the style sheets of the file. Because text is not shown, no fonts are searched.
 constexpr std::string_view kStyleSheet =
     "text, image, foreignObject { display: none !important }"
-    "* { filter: none !important; mask: none !important; "
-    "mix-blend-mode: normal !important; isolation: auto !important }";
+    "* { filter: none !important; mask: none !important }";
 
 constexpr const char* kOtherFiles = "references to other files";
 
@@ -41,14 +40,15 @@ struct Unref {
 
 /// Calls function(&error). If it fails, throws InputError with its message.
 template <class Function>
-auto checked_call(const fs::path& name, const Function& function) {
+auto checked_call(const fs::path& name, const Function& function, const char* advice = "") {
   GError* raw = nullptr;
   const auto result = function(&raw);
   const std::unique_ptr<GError, Unref> error(raw);
   if (!result || error) {
     std::string what = error ? error->message : "librsvg gives no cause";
     std::ranges::replace(what, '\n', ' ');
-    cannot_read(name, what);
+    what.erase(what.find_last_not_of(' ') + 1);
+    cannot_read(name, what + advice);
   }
   return result;
 }
@@ -58,15 +58,27 @@ const guint8* unsigned_bytes(std::string_view text) {
 }
 
 std::unique_ptr<RsvgHandle, Unref> open(const std::string& bytes, const fs::path& name) {
-  std::unique_ptr<RsvgHandle, Unref> handle(checked_call(name, [&](GError** error) {
-    return rsvg_handle_new_from_data(unsigned_bytes(bytes), bytes.size(), error);
-  }));
+  std::unique_ptr<RsvgHandle, Unref> handle(checked_call(
+      name,
+      [&](GError** error) {
+        return rsvg_handle_new_from_data(unsigned_bytes(bytes), bytes.size(), error);
+      },
+      "; the file is damaged, or it is not an SVG"));
   rsvg_handle_set_dpi(handle.get(), 96);
   return handle;
 }
 
+/// The file without blend modes, which make pictures of groups. An `!important` of the file would
+/// win against kStyleSheet. Names that contain these words change everywhere alike.
+std::string without_blending(std::string bytes) {
+  for (const std::string_view property : {"mix-blend-mode", "isolation"})
+    for (std::size_t at = bytes.find(property); at != bytes.npos; at = bytes.find(property, at))
+      bytes[at] = '_';
+  return bytes;
+}
+
 std::unique_ptr<RsvgHandle, Unref> open_for_curves(const std::string& bytes, const fs::path& name) {
-  auto handle = open(bytes, name);
+  auto handle = open(without_blending(bytes), name);
   checked_call(name, [&](GError** error) {
     return rsvg_handle_set_stylesheet(handle.get(), unsigned_bytes(kStyleSheet), kStyleSheet.size(),
                                       error);
@@ -83,8 +95,9 @@ void set_size(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg) {
     rsvg_handle_get_intrinsic_dimensions(handle, nullptr, nullptr, nullptr, nullptr, &has_box,
                                          &box);
     if (has_box == 0) {
+      const RsvgRectangle viewport{0, 0, 1, 1};  // nothing but percentages depends on it
       checked_call(name, [&](GError** error) {
-        return rsvg_handle_get_geometry_for_element(handle, nullptr, &box, nullptr, error);
+        return rsvg_handle_get_geometry_for_layer(handle, nullptr, &viewport, &box, nullptr, error);
       });
       box.width += box.x;
       box.height += box.y;
@@ -116,10 +129,12 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 /// Paints the element with the id, or the whole document.
 void paint(RsvgHandle* handle, const fs::path& name, NormalizedSvg& svg,
            const std::string& id = "") {
-  const RsvgRectangle page{0, 0, svg.width * svg.scale, svg.height * svg.scale};
-  const std::unique_ptr<cairo_surface_t, Unref> surface(
-      cairo_svg_surface_create_for_stream(append, &svg.text, page.width, page.height));
+  const RsvgRectangle page{0, 0, svg.width, svg.height};
+  const std::unique_ptr<cairo_surface_t, Unref> surface(cairo_svg_surface_create_for_stream(
+      append, &svg.text, svg.width * svg.scale, svg.height * svg.scale));
   const std::unique_ptr<cairo_t, Unref> cairo(cairo_create(surface.get()));
+  // A file without a size and a view box does not fill a larger viewport.
+  cairo_scale(cairo.get(), svg.scale, svg.scale);
   checked_call(name, [&](GError** error) {
     return id.empty()
                ? rsvg_handle_render_document(handle, cairo.get(), &page, error)
@@ -188,8 +203,9 @@ Bitmap svg_picture(const std::string& bytes, const fs::path& name, double resolu
   const double height = std::max(1.0, std::round(size.height * resolution));
   const std::string problem = size_problem(width, height);
   if (!problem.empty()) throw InputError(fmt::format("cannot paint a page of {}", problem));
-  const RsvgRectangle page{0, 0, size.width * resolution, size.height * resolution};
+  const RsvgRectangle page{0, 0, size.width, size.height};
   return painted(static_cast<int>(width), static_cast<int>(height), [&](cairo_t* cairo) {
+    cairo_scale(cairo, resolution, resolution);
     checked_call(name, [&](GError** error) {
       return rsvg_handle_render_document(handle.get(), cairo, &page, error);
     });

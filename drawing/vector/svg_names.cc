@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 #include "drawing/vector/read_svg.h"
@@ -48,12 +49,19 @@ bool names_something(std::string_view name, bool is_link) {
          name.starts_with("data-") || name.starts_with("aria-");
 }
 
-std::string blend_mode(const pugi::xml_node& node) {
-  const auto style = style_of(node.attribute("style").value());
-  const auto found = style.find("mix-blend-mode");
-  if (found != style.end()) return std::string(found->second);
-  return node.attribute("mix-blend-mode").value();
-}
+/// Counts the elements that are blended and are not among those that are written.
+struct LostBlending : pugi::xml_tree_walker {
+  const BlendModes& modes;
+  const std::set<pugi::xml_node>& written;
+  int count = 0;
+
+  LostBlending(const BlendModes& m, const std::set<pugi::xml_node>& w) : modes(m), written(w) {}
+  bool for_each(pugi::xml_node& node) override {
+    count +=
+        node.type() == pugi::node_element && !written.contains(node) && !modes.of(node).empty();
+    return true;
+  }
+};
 
 }  // namespace
 
@@ -81,9 +89,36 @@ SvgNames::SvgNames(const std::string& bytes, const std::filesystem::path& name) 
   marked.save(text, "", pugi::format_raw | pugi::format_no_escapes);
   const std::vector<std::size_t> counts = count_paths(text.str(), name, ids);
   const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-  if (all != read_svg(bytes, name).paths.size()) return;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    elements_.insert(elements_.end(), counts[i], leaves[i]);
+  blend_modes_ = BlendModes(root());
+  const std::size_t together = read_svg(bytes, name).paths.size();
+  if (all == together) {
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      elements_.insert(elements_.end(), counts[i], leaves[i]);
+  } else {
+    notes_.push_back(fmt::format(
+        "left out: ids, classes, groups, links and blend modes, because the file paints "
+        "{} paths, but its elements paint {} one by one",
+        together, all));
+  }
+  note_lost_blending();
+}
+
+void SvgNames::note_lost_blending() {
+  std::set<pugi::xml_node> written;
+  for (pugi::xml_node node : elements_)
+    for (; node; node = node.parent()) written.insert(node);
+  LostBlending lost(blend_modes_, written);
+  root().traverse(lost);
+  if (lost.count > 0)
+    notes_.push_back(
+        fmt::format("left out: the blend modes of {} elements that are not written as "
+                    "they stand in the file; PNG output shows them",
+                    lost.count));
+  if (!blend_modes_.unread().empty())
+    notes_.push_back(
+        fmt::format("left out: the blend modes that a style sheet gives by {}; PNG "
+                    "output shows them",
+                    fmt::join(blend_modes_.unread(), ", ")));
 }
 
 pugi::xml_node SvgNames::element(int path) const {
@@ -96,16 +131,16 @@ bool SvgNames::has_id(const std::string& id) const {
       [&](const pugi::xml_node& node) { return id == node.attribute("id").value(); }));
 }
 
-void copy_names(const pugi::xml_node& from, pugi::xml_node to, bool with_id) {
+void SvgNames::copy_to(const pugi::xml_node& from, pugi::xml_node to, bool with_id) const {
   const bool is_link = local_name(from) == "a";
   for (const pugi::xml_attribute& attribute : from.attributes()) {
     const std::string_view name = attribute.name();
     const bool copied = name == "id" ? with_id : names_something(name, is_link);
     if (copied && is_portable(attribute.value())) to.append_copy(attribute);
   }
-  const std::string mode = blend_mode(from);
-  if (!mode.empty() && mode != "normal" && is_portable(mode))
-    to.append_attribute("style").set_value(("mix-blend-mode: " + mode).c_str());
+  const std::string blending = blend_modes_.of(from);
+  if (!blending.empty() && is_portable(blending))
+    to.append_attribute("style").set_value(blending.c_str());
   for (const pugi::xml_node& child : from.children())
     if (is_one_of(child.name(), {"title", "desc"}) && is_portable(child.child_value()))
       to.append_copy(child);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "drawing/vector/blend_modes.h"
+
 namespace deformlab {
 
 /// The elements of an SVG that its paths come from, so that names, groups, layers and links can be
@@ -22,16 +24,22 @@ class SvgNames {
   pugi::xml_node element(int path) const;
   /// Whether an element has this id.
   bool has_id(const std::string& id) const;
+  /// What the user should know, such as names that cannot be written again.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+  /// Copies what names an element: its id, class, title and description, the label and mode of a
+  /// layer, `data-` and `aria-` attributes, the target of a link, and how it is blended. Attributes
+  /// with entities that the file itself defines are left out.
+  void copy_to(const pugi::xml_node& from, pugi::xml_node to, bool with_id) const;
 
  private:
+  void note_lost_blending();
+
   pugi::xml_document document_;
+  BlendModes blend_modes_;
+  std::vector<std::string> notes_;
   std::vector<pugi::xml_node> elements_;  ///< for each path
 };
-
-/// Copies what names an element: its id, class, title and description, the label and mode of a
-/// layer, `data-` and `aria-` attributes, the target of a link, and its blend mode. Attributes with
-/// entities that the file itself defines are left out.
-void copy_names(const pugi::xml_node& from, pugi::xml_node to, bool with_id);
 
 /// Copies the namespaces that names may use.
 void copy_namespaces(const pugi::xml_node& from, pugi::xml_node to);

@@ -54,7 +54,7 @@ class Writer {
     set(root_, "height", number(page.sizes().y()));
     set(root_, "viewBox", pair(page.min()) + " " + pair(page.sizes()));
     copy_namespaces(names.root(), root_);
-    copy_names(names.root(), root_, names.root() && is_new(names.root()));
+    names_.copy_to(names.root(), root_, names.root() && is_new(names.root()));
     definitions_ = root_.append_child("defs");
     for (const VectorPath& path : paths) add(path);
     if (!definitions_.first_child()) root_.remove_child(definitions_);
@@ -80,7 +80,7 @@ class Writer {
       set(parent, "clip-path", "url(#" + id + ")");
     }
     pugi::xml_node node = parent.append_child("path");
-    if (element) copy_names(element, node, is_new(element));
+    if (element) names_.copy_to(element, node, is_new(element));
     set(node, "d", to_data(path.outlines));
     set_paint(node, "fill", path.fill);
     if (path.outlines.even_odd) set(node, "fill-rule", "evenodd");
@@ -108,7 +108,7 @@ class Writer {
       pugi::xml_node parent = i == 0 ? root_ : open_[i - 1].second;
       const bool is_link = std::string_view(around[i].name()) == "a";
       pugi::xml_node group = parent.append_child(is_link ? "a" : "g");
-      copy_names(around[i], group, is_new(around[i]));
+      names_.copy_to(around[i], group, is_new(around[i]));
       open_.emplace_back(around[i], group);
     }
     return open_.empty() ? root_ : open_.back().second;

@@ -16,6 +16,7 @@ constexpr std::array kRenamed{
     Renamed{"graph.adaptive", "adaptive"},
     Renamed{"picture.stages", "picture.steps"},
     Renamed{"output.stages", "output.steps"},
+    Renamed{"output.grow", "output.page"},
     Renamed{"stages", "general_solver"},
 };
 

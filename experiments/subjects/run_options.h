@@ -1,6 +1,5 @@
 #pragma once
 
-#include "drawing/write_drawing.h"
 #include "experiments/config/config_node.h"
 #include "experiments/measure/depth_options.h"
 #include "experiments/measure/drag.h"
@@ -8,6 +7,7 @@
 #include "experiments/scenes/scene.h"
 #include "experiments/subjects/animation/animation_options.h"
 #include "experiments/subjects/drawing/drawing_scene.h"
+#include "experiments/subjects/drawing/output_page.h"
 #include "experiments/subjects/methods.h"
 #include "experiments/subjects/picture_options.h"
 
@@ -47,7 +47,7 @@ struct RunOptions {
     visit("depth", o.depth, "Which of two parts of a drawing is in front where they overlap");
     visit("measure", o.measure, "What is measured beyond what every run measures");
     visit("picture", o.picture, "How the picture is drawn");
-    visit("output", o.output, "How the command `deform` writes a deformed drawing");
+    visit("output", o.output, "How a deformed drawing is written and pictured");
   }
 };
 

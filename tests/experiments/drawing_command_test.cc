@@ -264,11 +264,11 @@ TEST_F(DrawingCommand, AnSvgShowsWhatThePngShows) {
   for (const std::string name : {"depth", "even_odd", "stroke", "clip"}) {
     for (const std::string out : {"out.svg", "out.png"}) {
       Words words = deform(name + ".svg", edit, out);
-      words.insert(words.end(), {"output.grow=false", "--vertices", "150"});
+      words.insert(words.end(), {"output.page=keep", "--vertices", "150"});
       expect_success(words);
     }
     Words again = deform("out.svg", "edit:\n  - {select: {all: true}, fix: true}\n", "again.png");
-    again.emplace_back("output.grow=false");
+    again.emplace_back("output.page=keep");
     expect_success(again);
     const Bitmap shown = read_png(place("again.png")), png = read_png(place("out.png"));
     ASSERT_EQ(shown.rgba.size(), png.rgba.size());
@@ -326,7 +326,7 @@ TEST_F(DrawingCommand, AnOpaquePictureBendsAsARectangle) {
       "  - {select: {point: [45, 16]}, by: [0, 5]}\n";
   expect_refused(deform("photo.png", edit, "o.png"), {"drawing.background=none"});
   Words words = deform("photo.png", edit, "o.png");
-  words.insert(words.end(), {"output.grow=false", "drawing.background=none"});
+  words.insert(words.end(), {"output.page=keep", "drawing.background=none"});
   expect_success(words);
   EXPECT_EQ(read_png(place("o.png")).pixel(10, 16)[3], 255);
   words.back() = "drawing.background=2";

@@ -6,7 +6,10 @@ const char* __asan_default_options();
 const char* __asan_default_options() { return "detect_stack_use_after_return=1"; }
 const char* __ubsan_default_options();
 const char* __ubsan_default_options() { return "print_stacktrace=1"; }
-// These libraries keep fonts and surfaces until the process ends.
+// These libraries keep fonts until the process ends. Cairo 1.16 loses 472 bytes, an analysis of the
+// page, for each group with an opacity that its SVG surface paints and lets go of before the
+// surface is finished, also if the whole program is cairo_push_group, cairo_pop_group_to_source and
+// cairo_paint_with_alpha. Its functions have no names that a narrower suppression could give.
 const char* __lsan_default_options();
 const char* __lsan_default_options() { return "print_suppressions=0"; }
 const char* __lsan_default_suppressions();

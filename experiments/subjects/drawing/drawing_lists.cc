@@ -44,8 +44,9 @@ std::vector<ReadLevel> read_levels(const ConfigNode& list) {
   for (const ConfigNode& node : lifted.children) {
     ReadLevel& read = levels.emplace_back();
     read.where = fmt::format("depth.parts entry {} ({})", levels.size(), node.where());
-    read_value(node, "depth.parts", read.level);
+    with_circles([&] { read_value(node, "depth.parts", read.level); });
     with_lines_of(node, [&] { check_options(read.level); });
+    read.level.select.dimension = 2;
     check_selection(read.level.select, read.where);
   }
   return levels;

@@ -34,7 +34,7 @@ void DrawingBook::add_rest(const PicturedDrawing& pictured) {
   panel.tint = (pictured.weights.array() != 1).cast<double>();
   panel.handles = handle_positions(pictured.edit, panel.V, true);
   panel.caption = "rest shape";
-  panels_.push_back({pictured.bound, std::move(panel)});
+  add(pictured, std::move(panel));
 }
 
 void DrawingBook::add_deformed(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& V,
@@ -45,7 +45,7 @@ void DrawingBook::add_deformed(const PicturedDrawing& pictured, const Eigen::Mat
   panel.edges = options_.graph == PicturedGraph::kAll;
   panel.handles = handle_positions(pictured.edit, V, false);
   panel.caption = caption;
-  panels_.push_back({pictured.bound, std::move(panel)});
+  add(pictured, std::move(panel));
 }
 
 void DrawingBook::add_steps(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
@@ -56,9 +56,14 @@ void DrawingBook::add_steps(const PicturedDrawing& pictured, const Eigen::Matrix
   panels_.back().panel.loose = fitted;
 }
 
+void DrawingBook::add(const PicturedDrawing& pictured, DrawingPanel panel) {
+  panels_.push_back({pictured.bound, std::move(panel), pictured.page});
+}
+
 Image DrawingBook::render() const {
   Page frame;
-  for (const Entry& entry : panels_) frame.extend(frame_of(*entry.bound, {entry.panel}));
+  for (const Entry& entry : panels_)
+    frame.extend(entry.page ? *entry.page : frame_of(*entry.bound, {entry.panel}));
   const int width = options_.width == PictureOptions{}.width ? kPanelWidth : options_.width;
   std::vector<Image> images;
   for (const Entry& entry : panels_) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,13 @@
 
 namespace deformlab {
 
-/// A drawing that is pictured, the weights of its triangles, and its handles.
+/// A drawing that is pictured, the weights of its triangles, its handles, and what its panels show
+/// if that does not depend on the deformation.
 struct PicturedDrawing {
   std::shared_ptr<const BoundDrawing> bound;
   Eigen::VectorXd weights;  ///< #F
   ResolvedEdit edit;
+  std::optional<Page> page = {};
 };
 
 /// Collects the panels of drawings, as PictureBook does for shapes.
@@ -39,7 +42,9 @@ class DrawingBook : public Book {
   struct Entry {
     std::shared_ptr<const BoundDrawing> bound;
     DrawingPanel panel;
+    std::optional<Page> page;
   };
+  void add(const PicturedDrawing& pictured, DrawingPanel panel);
 
   PictureOptions options_;
   std::vector<Entry> panels_;

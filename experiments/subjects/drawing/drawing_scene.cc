@@ -8,6 +8,7 @@
 #include "drawing/following_parts.h"
 #include "experiments/subjects/shape/paint.h"
 #include "geometry/core/error.h"
+#include "geometry/core/files.h"
 #include "geometry/plane/locator.h"
 
 namespace deformlab {
@@ -23,6 +24,8 @@ fs::path find_drawing(const std::string& file, const fs::path& folder) {
   for (const fs::path& place : places) {
     std::error_code ignored;
     if (fs::exists(place, ignored) && !fs::is_directory(place, ignored)) return place;
+    if (!file.empty() && fs::is_directory(place, ignored))
+      cannot_read(place, "it is a folder; name a file in it");
   }
   throw InputError(
       fmt::format("drawing.file '{}' is neither beside the config, nor in the working folder, nor "
@@ -55,12 +58,21 @@ std::vector<char> triangles_under(const Bitmap& mask, const Page& page, const Tr
   return result;
 }
 
+std::vector<ReadCoat> plane_coats(const ConfigNode& list) {
+  return with_circles([&] { return read_coats(in_space(list)); });
+}
+
 std::vector<char> painted(const ReadCoat& read, const DrawingScene& scene) {
   if (read.coat.mask) {
+    if (extension_of(*read.coat.mask) != ".png")
+      throw InputError(
+          fmt::format("{}: the mask '{}' must be a PNG", read.where, read.coat.mask->string()));
     return triangles_under(read_png(read.folder / *read.coat.mask), scene.drawing.page, scene.rest);
   }
   const Shape shape = to_shape(scene.rest);
-  return triangles_of(select_vertices(*read.coat.select, shape, read.where), scene.rest);
+  Selection select = *read.coat.select;
+  select.dimension = 2;
+  return triangles_of(select_vertices(select, shape, read.where), scene.rest);
 }
 
 // The detached parts that an entry of the edit selects something of, in ascending order.
@@ -127,7 +139,7 @@ DrawingScene make_drawing(const DrawingSceneOptions& options, const fs::path& fo
 }
 
 void paint(DrawingScene& scene, const ConfigNode& list) {
-  for (const ReadCoat& read : read_coats(in_space(list))) {
+  for (const ReadCoat& read : plane_coats(list)) {
     const std::vector<char> chosen = painted(read, scene);
     bool any = false;
     for (Eigen::Index f = 0; f < scene.weights.size(); ++f) {
@@ -139,6 +151,6 @@ void paint(DrawingScene& scene, const ConfigNode& list) {
   }
 }
 
-void check_paint(const ConfigNode& list) { read_coats(in_space(list)); }
+void check_paint(const ConfigNode& list) { plane_coats(list); }
 
 }  // namespace deformlab

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "drawing/drawing.h"
+#include "drawing/formats.h"
 #include "experiments/config/config_node.h"
 #include "experiments/subjects/drawing/plane_edit.h"
 
@@ -17,9 +18,12 @@ struct DrawingSceneOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("file", o.file,
-          "A drawing (.png .svg .txt) or a flat mesh: beside the config, in the working folder, or "
-          "among openclipart's; without one, the config is about a shape");
+    static const std::string kFiles = fmt::format(
+        "An image ({}), a vector drawing (.svg), a polygon (.txt) or a flat mesh ({}): beside the "
+        "config, in the working folder, or among openclipart's; without one, the config is about a "
+        "shape",
+        fmt::join(kImageFormats, " "), fmt::join(kFlatMeshFormats, " "));
+    visit("file", o.file, kFiles.c_str());
     DrawingOptions::fields(o.reading, visit);
     TriangulationOptions::fields(o.mesh, visit);
   }

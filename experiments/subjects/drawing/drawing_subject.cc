@@ -7,11 +7,14 @@
 
 #include "deformers/arap_2d/arap_2d.h"
 #include "drawing/binding.h"
+#include "drawing/formats.h"
 #include "drawing/write_drawing.h"
 #include "experiments/config/override.h"
 #include "experiments/measure/depth_options.h"
 #include "experiments/measure/drawing_measurements.h"
+#include "experiments/measure/shortfalls.h"
 #include "experiments/subjects/drawing/drawing_pictures.h"
+#include "experiments/subjects/drawing/plane_shortfalls.h"
 #include "experiments/subjects/outputs.h"
 #include "experiments/subjects/run_options.h"
 #include "geometry/core/error.h"
@@ -83,10 +86,11 @@ class DrawingSubject : public Subject {
     const std::vector<EditEntry> edit = read_plane_edit(options_.edit);
     scene_ = make_drawing(options_.drawing, context_.folder, edit, read_cut_lines(options_.cut));
     for (const std::string& note : scene_.drawing.notes) LOG(WARNING) << note;
-    if (context_.writes()) check_output(context_.command->out, scene_.drawing);
+    if (context_.writes()) check_output(context_.command->out, scene_.drawing, options_.output);
     paint(scene_, options_.paint);
     const auto shown = [&](const Eigen::Vector2d& p) { return shows(scene_.drawing, p); };
     edit_ = resolve(on_mesh(edit, scene_.rest, shown), scene_.rest);
+    for (const std::string& note : edit_.notes) LOG(WARNING) << note;
     rest_ = to_shape(scene_.rest);
     deformer_ = make_deformer(options_.method, scene_);
     arap_ = dynamic_cast<const Arap2d*>(deformer_.get());
@@ -104,6 +108,12 @@ class DrawingSubject : public Subject {
   }
 
   const Summary& solve() const override { return drag_.last.solve; }
+
+  std::vector<std::string> shortfalls() const override {
+    std::vector<std::string> result = missed_handles(scene_, V_, edit_, drag_.last);
+    if (!arap_) std::ranges::move(inside_out(drag_.last), std::back_inserter(result));
+    return result;
+  }
 
   Run measure() const override {
     const double size = bounding_box_diagonal(rest_.V);
@@ -127,7 +137,8 @@ class DrawingSubject : public Subject {
 
   void draw(Book& book, const std::string& caption) override {
     auto& pictures = dynamic_cast<DrawingBook&>(book);
-    const PicturedDrawing pictured{bound(), scene_.weights, edit_};
+    const PicturedDrawing pictured{bound(), scene_.weights, edit_,
+                                   options_.output.page.fixed(scene_.drawing)};
     if (pictures.empty()) pictures.add_rest(pictured);
     if (arap_ && options_.picture.steps) {
       pictures.add_steps(pictured, arap_->intermediate(), arap_->fitted());
@@ -185,9 +196,10 @@ class DrawingSubject : public Subject {
 // A flat mesh is a drawing only if the method for drawings is asked for.
 bool is_drawing(const CommandLine& line) {
   const std::string extension = extension_of(line.input);
-  for (const char* picture : {".png", ".jpg", ".jpeg", ".webp", ".svg", ".txt", ".svgz", ".gif",
-                              ".bmp", ".tif", ".tiff", ".avif", ".heic", ".pdf", ".eps"}) {
-    if (extension == picture) return true;  // of the last ones, read_drawing says what to do
+  if (is_one_of(kImageFormats, extension) || is_one_of(kCurveFormats, extension)) return true;
+  for (const char* picture :
+       {".svgz", ".gif", ".bmp", ".tif", ".tiff", ".avif", ".heic", ".pdf", ".eps"}) {
+    if (extension == picture) return true;  // read_drawing says what to do
   }
   return std::ranges::find(line.overrides, "deformer=arap_2d") != line.overrides.end();
 }

@@ -122,8 +122,15 @@ ConfigNode in_space(const ConfigNode& edit) {
   return lifted;
 }
 
+std::string naming_circles(std::string message) {
+  constexpr std::string_view kSphere = ".sphere", kCircle = ".circle";
+  for (std::size_t at = message.find(kSphere); at != message.npos; at = message.find(kSphere, at))
+    message.replace(at, kSphere.size(), kCircle);
+  return message;
+}
+
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit) {
-  return read_edit(in_space(edit), 2);
+  return with_circles([&] { return read_edit(in_space(edit), 2); });
 }
 
 std::vector<EditEntry> on_mesh(std::vector<EditEntry> entries, const Triangulation& rest,

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "experiments/subjects/shape/edit.h"
+#include "geometry/core/options.h"
 #include "geometry/plane/triangulation.h"
 
 namespace deformlab {
@@ -11,6 +12,22 @@ namespace deformlab {
 /// becomes a sphere, and `rotate: 30` becomes a rotation about the axis that turns x towards y,
 /// which is clockwise in an image. Throws InputError if a point does not have two coordinates.
 ConfigNode in_space(const ConfigNode& edit);
+
+/// The message with `.circle` for each `.sphere`.
+std::string naming_circles(std::string message);
+
+/// Calls action(). Its InputErrors about the sphere that in_space makes name the circle of the
+/// file.
+template <class Action>
+decltype(auto) with_circles(Action&& action) {
+  try {
+    return action();
+  } catch (const OptionError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw InputError(naming_circles(error.what()));
+  }
+}
 
 /// The same as read_edit, for a drawing.
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit);

@@ -28,10 +28,11 @@ void check_action(const EditEntry& entry) {
   }
   if (entry.scale && entry.scale->factor.value.minCoeff() <= 0) {
     throw InputError(fmt::format("{}: the factor of 'scale' is {}; it must be above 0", entry.where,
-                                 text_of(entry.scale->factor.value)));
+                                 text_of(entry.scale->factor.value, entry.dimension)));
   }
   if (entry.matrix && entry.matrix->value.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-    throw InputError(fmt::format("{}: the last row of 'matrix' must be [0, 0, 0, 1]", entry.where));
+    throw InputError(fmt::format("{}: the last row of 'matrix' must be {}", entry.where,
+                                 entry.dimension == 2 ? "[0, 0, 1]" : "[0, 0, 0, 1]"));
   }
   if (entry.fix && entry.weight != 1) {
     throw InputError(
@@ -104,7 +105,9 @@ std::vector<EditEntry> read_edit(const ConfigNode& list, int dimension) {
     EditEntry& entry = entries[e];
     const ConfigNode& node = list.children[e];
     entry.where = fmt::format("edit entry {} ({})", e + 1, node.where());
+    entry.dimension = dimension;
     check_action(entry);
+    if (entry.selection) entry.selection->dimension = dimension;
     check_selection(entry);
     if (entry.targets) {
       const std::filesystem::path folder = node.find("targets")->folder();

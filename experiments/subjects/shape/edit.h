@@ -77,6 +77,7 @@ struct EditEntry {
   double weight = 1;
   std::vector<ListedTarget> listed;  ///< the content of `targets`
   std::string where;                 ///< "edit entry 2 (line 5 of edit.yaml)", for messages
+  int dimension = 3;                 ///< 2 in a drawing
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("select", o.selection, "The vertices, by exactly one of the following");

@@ -101,6 +101,11 @@ class Resolver {
     }
   }
 
+  /// A position as a message about entry e gives it.
+  std::string text(const Eigen::Vector3d& p, int e) const {
+    return text_of(p, entries_[e].dimension);
+  }
+
   // A region that is mirrored or flattened is turned inside out, and so it cannot look right.
   void note_matrix(const EditEntry& entry) {
     const double det = entry.matrix->value.topLeftCorner<3, 3>().determinant();
@@ -119,7 +124,7 @@ class Resolver {
   }
 
   void put_point(const Eigen::Vector3d& p, const Target& target) {
-    check_range(target, "the point " + text_of(p));
+    check_range(target, fmt::format("the point {}", text(p, target.entry)));
     check_near(p, target);
     points_.push_back(p);
     point_targets_.push_back(target);
@@ -141,7 +146,7 @@ class Resolver {
     throw InputError(fmt::format(
         "{}: a rotation handle needs a point inside the shape {:.6g} from {}, and there is none; "
         "move it inwards",
-        entries_[e].where, rings_.radius, text_of(p)));
+        entries_[e].where, rings_.radius, text(p, e)));
   }
 
   void fix(int i, int e) {
@@ -154,7 +159,7 @@ class Resolver {
   void check_range(const Target& target, const std::string& what) const {
     if (target.position.cwiseAbs().maxCoeff() <= kMostLength) return;
     throw InputError(fmt::format("{} moves {} beyond the range of numbers, to {}", where(target),
-                                 what, text_of(target.position)));
+                                 what, text(target.position, target.entry)));
   }
 
   // Such a point has another unit or other axes than the shape.
@@ -166,7 +171,8 @@ class Resolver {
         fmt::format("{}: the point {} is {:.3g} away from the shape, which reaches from {} to {}: "
                     "check the unit "
                     "and the axes",
-                    where(target), text_of(p), away, text_of(low), text_of(high)));
+                    where(target), text(p, target.entry), away, text(low, target.entry),
+                    text(high, target.entry)));
   }
 
   void move(int i, const Target& target) {
@@ -186,8 +192,8 @@ class Resolver {
       return;
     }
     throw InputError(fmt::format("vertex {} is moved to {} by {} and to {} by {}; keep one", i,
-                                 text_of(first.position), where(first), text_of(target.position),
-                                 where(target)));
+                                 text(first.position, target.entry), where(first),
+                                 text(target.position, target.entry), where(target)));
   }
 
   const Eigen::Vector3d& turn_of(const Target& target) const { return motions_[target.group].turn; }

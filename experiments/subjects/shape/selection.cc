@@ -75,7 +75,8 @@ std::vector<int> select(const Selection& by, const Shape& shape, const std::stri
 
 }  // namespace
 
-std::string text_of(const Eigen::Vector3d& p) {
+std::string text_of(const Eigen::Vector3d& p, int dimension) {
+  if (dimension == 2) return fmt::format("[{:.6g}, {:.6g}]", p.x(), p.y());
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", p.x(), p.y(), p.z());
 }
 
@@ -92,13 +93,13 @@ void check_selection(const Selection& select, const std::string& where) {
                     select.point.has_value() + select.file.has_value() + select.all.has_value();
   if (given != 1) {
     throw InputError(fmt::format(
-        "{}: 'select' needs exactly one of vertices, box, sphere, nearest, point, file, "
-        "all; found {}",
-        where, given));
+        "{}: 'select' needs exactly one of vertices, box, {}, nearest, point, file, all; found {}",
+        where, select.dimension == 2 ? "circle" : "sphere", given));
   }
   if (select.box && (select.box->min.array() > select.box->max.array()).any()) {
     throw InputError(fmt::format("{}: the box's min {} must not exceed its max {}", where,
-                                 text_of(select.box->min), text_of(select.box->max)));
+                                 text_of(select.box->min, select.dimension),
+                                 text_of(select.box->max, select.dimension)));
   }
 }
 
@@ -116,10 +117,11 @@ std::vector<int> select_vertices(const Selection& selection, const Shape& shape,
   }
   std::vector<int> selected = select(selection, shape, where);
   if (!selected.empty()) return selected;
-  throw InputError(fmt::format(
-      "{} selects no vertex; the shape reaches from {} to {}: check the unit and the "
-      "axes of the selection",
-      where, text_of(shape.V.rowwise().minCoeff()), text_of(shape.V.rowwise().maxCoeff())));
+  throw InputError(
+      fmt::format("{} selects no vertex; the shape reaches from {} to {}: check the unit and the "
+                  "axes of the selection",
+                  where, text_of(shape.V.rowwise().minCoeff(), selection.dimension),
+                  text_of(shape.V.rowwise().maxCoeff(), selection.dimension)));
 }
 
 }  // namespace deformlab

@@ -42,6 +42,7 @@ struct Selection {
   std::optional<Eigen::Vector3d> point;
   std::optional<std::filesystem::path> file;  ///< read_selection_file turns it into `vertices`
   std::optional<bool> all;
+  int dimension = 3;  ///< 2 in a drawing, whose positions messages give by two coordinates
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("vertices", o.vertices, "The indices of vertices, counted from 0");
@@ -54,8 +55,8 @@ struct Selection {
   }
 };
 
-/// "[x, y, z]", for messages.
-std::string text_of(const Eigen::Vector3d& p);
+/// "[x, y, z]", or "[x, y]" in the plane, for messages.
+std::string text_of(const Eigen::Vector3d& p, int dimension = 3);
 
 /// Throws InputError for a flag that is given as false.
 void check_only_true(const std::optional<bool>& flag, const char* name, const std::string& where);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "drawing/formats.h"
 #include "experiments/measure/detail.h"
 #include "experiments/measure/shortfalls.h"
 #include "experiments/measure/stripes.h"
@@ -31,10 +32,11 @@ void check_input(const std::filesystem::path& input) {
   const std::string extension = input.extension().string();
   throw InputError(fmt::format(
       "cannot read '{}': {}; shapes are read from .off, .obj, .ply, .stl and .xyz, drawings from "
-      ".png, .jpg, .webp, .svg and .txt; convert it to one of them",
+      "{}, {}; convert it to one of them",
       input.string(),
       extension.empty() ? "its name ends with no format"
-                        : fmt::format("the format '{}' is not known", extension)));
+                        : fmt::format("the format '{}' is not known", extension),
+      fmt::join(kImageFormats, ", "), fmt::join(kCurveFormats, ", ")));
 }
 
 class ShapeSubject : public Subject {
@@ -43,13 +45,12 @@ class ShapeSubject : public Subject {
       : options_(options), context_(context) {}
 
   void check() const override {
+    if (context_.writes()) check_input(context_.command->input);  // an edit may be for a drawing
     read_edit(options_.edit);
     check_cuts(options_.cut);
     check_shape_paint(options_.paint);
     read_probes(options_.measure.probes, 3);
-    if (!context_.writes()) return;
-    check_input(context_.command->input);
-    check_extension(context_.command->out);
+    if (context_.writes()) check_extension(context_.command->out);
   }
 
   void read() override {

@@ -1,0 +1,59 @@
+#include "experiments/subjects/drawing/plane_shortfalls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drawing/binding.h"
+#include "geometry/plane/locator.h"
+
+namespace deformlab {
+namespace {
+
+constexpr double kMissed = 0.02;    // of the edit's motion
+constexpr double kRounding = 1e-6;  // of the drawing's diagonal
+
+// The positions of the handles that have targets, 2×p, with the vertices at V.
+Eigen::Matrix2Xd places_of(const DrawingScene& scene, const Handles& handles,
+                           const Eigen::Matrix2Xd& V) {
+  const auto moved = std::ssize(handles.moved);
+  Eigen::Matrix2Xd places(2, moved + handles.points.cols());
+  places.leftCols(moved) = V(Eigen::all, handles.moved);
+  const Eigen::Matrix2Xd points = handles.points.topRows<2>();
+  places.rightCols(points.cols()) = Binding(scene.rest, Locator(scene.rest), points)(V);
+  return places;
+}
+
+// What helps; a flat mesh that is read from a file keeps its vertices.
+std::string advice(const DrawingScene& scene, const Report& report) {
+  std::string text = "move handles that are near to each other alike, take one of them away";
+  if (!scene.drawing.mesh)
+    text += fmt::format(", set a greater drawing.vertices (the mesh has {})", scene.rest.V.cols());
+  return fmt::format("{}, or {}", text, report.advice.missed);
+}
+
+}  // namespace
+
+std::vector<std::string> missed_handles(const DrawingScene& scene, const Eigen::Matrix2Xd& V,
+                                        const ResolvedEdit& edit, const Report& report) {
+  if (edit.targets.cols() == 0) return {};
+  const Eigen::Matrix2Xd rest = places_of(scene, edit.handles, scene.rest.V);
+  const Eigen::Matrix2Xd targets = edit.targets.topRows<2>();
+  const Eigen::RowVectorXd misses = (places_of(scene, edit.handles, V) - targets).colwise().norm();
+  const double motion = (targets - rest).colwise().norm().maxCoeff();
+  const double size = bounding_box_diagonal(to_shape(scene.rest).V);
+  const double allowed = std::max(kMissed * motion, kRounding * size);
+  Eigen::Index worst = 0;
+  const double most = misses.maxCoeff(&worst);
+  if (!(most > allowed)) return {};
+  const auto count = (misses.array() > allowed).count();
+  const std::string others =
+      count > 1 ? fmt::format(" ({} handles stop more than 2 % short)", count) : "";
+  return {
+      fmt::format("the handle at ({:.6g}, {:.6g}) stops {:.3g} short of its target ({:.6g}, "
+                  "{:.6g}), while the edit's longest way is {:.3g}{}; {}",
+                  rest(0, worst), rest(1, worst), most, targets(0, worst), targets(1, worst),
+                  motion, others, advice(scene, report))};
+}
+
+}  // namespace deformlab
