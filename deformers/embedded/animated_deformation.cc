@@ -7,11 +7,11 @@
 #include <limits>
 #include <map>
 
-#include "deformers/embedded/handle_groups.h"
+#include "deformers/embedded/handles/handle_groups.h"
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/graph_vertices.h"
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 
 namespace deformlab {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "deformers/embedded/border.h"
+#include "deformers/embedded/handles/border.h"
+#include "deformers/embedded/handles/winding.h"
 #include "deformers/embedded/node_states.h"
 #include "deformers/embedded/reflections.h"
-#include "deformers/embedded/winding.h"
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
 #include "solvers/stopwatch.h"

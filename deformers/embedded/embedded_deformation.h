@@ -8,8 +8,8 @@
 
 #include "deformers/deformer.h"
 #include "deformers/embedded/embedded_options.h"
-#include "deformers/embedded/pins.h"
-#include "deformers/embedded/satellites.h"
+#include "deformers/embedded/handles/pins.h"
+#include "deformers/embedded/handles/satellites.h"
 #include "geometry/graph/graph_build.h"
 #include "geometry/transfer/transfer.h"
 #include "solvers/solver.h"

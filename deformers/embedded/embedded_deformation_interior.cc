@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "deformers/embedded/embedded_deformation.h"
-#include "deformers/embedded/winding.h"
+#include "deformers/embedded/handles/winding.h"
 #include "geometry/core/error.h"
-#include "geometry/graph/graph_interior.h"
+#include "geometry/graph/placement/graph_interior.h"
 
 // Nodes inside a closed shape.
 namespace deformlab {

@@ -90,7 +90,8 @@ struct EmbeddedDeformationOptions {
   /// Handles that are nearer to the fixed part than nodes are then give way. 0: it is not repeated.
   double relaxed_constraint = 0;
   /// Whether handles that are asked to turn, and whose targets do not tell how, hold the angle by
-  /// places around them (deformers/embedded/satellites.h). In the paper, a handle is a position.
+  /// places around them (deformers/embedded/handles/satellites.h). In the paper, a handle is a
+  /// position.
   bool hold_angles = false;
   SolverOptions solver;
   int transfer_threads = 1;

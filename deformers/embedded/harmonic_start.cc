@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "deformers/embedded/handle_groups.h"
+#include "deformers/embedded/handles/handle_groups.h"
 #include "deformers/embedded/node_states.h"
 
 namespace deformlab {

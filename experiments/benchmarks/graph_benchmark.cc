@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "experiments/benchmarks/reference_scene.h"
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 
 namespace deformlab {
 namespace {

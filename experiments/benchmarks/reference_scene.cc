@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 
 namespace deformlab {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "experiments/benchmarks/reference_scene.h"
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 
 namespace deformlab {
 namespace {

@@ -9,7 +9,7 @@
 #include <unordered_set>
 
 #include "geometry/core/hash.h"
-#include "geometry/graph/loose_vertices.h"
+#include "geometry/graph/placement/loose_vertices.h"
 
 namespace deformlab {
 namespace {

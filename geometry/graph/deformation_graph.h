@@ -60,9 +60,9 @@ constexpr auto names_of(EdgeWeights) {
       {{kUniform, "uniform"}, {kOverlap, "overlap"}, {kLength, "length"}});
 }
 
-/// Whether a closed shape gets nodes inside as well (geometry/graph/graph_interior.h). With kAuto
-/// it gets them for edits in which neighbouring regions turn by more than a half turn against each
-/// other.
+/// Whether a closed shape gets nodes inside as well (geometry/graph/placement/graph_interior.h).
+/// With kAuto it gets them for edits in which neighbouring regions turn by more than a half turn
+/// against each other.
 enum class InteriorNodes { kOff, kAuto, kOn };
 constexpr auto names_of(InteriorNodes) {
   using enum InteriorNodes;

@@ -11,10 +11,10 @@
 #include "geometry/graph/active_part.h"
 #include "geometry/graph/graph_file.h"
 #include "geometry/graph/graph_fit.h"
-#include "geometry/graph/graph_grid.h"
-#include "geometry/graph/graph_simplification.h"
 #include "geometry/graph/graph_vertices.h"
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/graph_grid.h"
+#include "geometry/graph/placement/graph_simplification.h"
+#include "geometry/graph/placement/sampling.h"
 #include "geometry/transfer/geodesic.h"
 
 namespace deformlab {

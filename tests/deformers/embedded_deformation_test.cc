@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "deformers/embedded/presets.h"
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

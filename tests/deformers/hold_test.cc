@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "deformers/embedded/embedded_deformation.h"
+#include "deformers/embedded/handles/satellites.h"
 #include "deformers/embedded/presets.h"
-#include "deformers/embedded/satellites.h"
 #include "tests/support/errors.h"
 #include "tests/support/shapes.h"
 

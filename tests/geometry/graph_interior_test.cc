@@ -1,4 +1,4 @@
-#include "geometry/graph/graph_interior.h"
+#include "geometry/graph/placement/graph_interior.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "geometry/graph/graph_simplification.h"
+#include "geometry/graph/placement/graph_simplification.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/graph/graph_build.h"
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 #include "geometry/plane/locator.h"
 #include "geometry/transfer/geodesic.h"
 #include "geometry/transfer/transfer.h"

@@ -1,4 +1,4 @@
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "geometry/core/error.h"
-#include "geometry/graph/thin_out.h"
+#include "geometry/graph/placement/thin_out.h"
 #include "tests/support/shapes.h"
 
 namespace deformlab::test {

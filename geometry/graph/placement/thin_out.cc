@@ -1,4 +1,4 @@
-#include "geometry/graph/thin_out.h"
+#include "geometry/graph/placement/thin_out.h"
 
 #include <algorithm>
 #include <functional>

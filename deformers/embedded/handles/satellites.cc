@@ -1,9 +1,9 @@
-#include "deformers/embedded/satellites.h"
+#include "deformers/embedded/handles/satellites.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "deformers/embedded/handle_groups.h"
+#include "deformers/embedded/handles/handle_groups.h"
 
 namespace deformlab {
 namespace {

@@ -1,8 +1,8 @@
-#include "deformers/embedded/border.h"
+#include "deformers/embedded/handles/border.h"
 
 #include <algorithm>
 
-#include "deformers/embedded/pins.h"
+#include "deformers/embedded/handles/pins.h"
 
 namespace deformlab {
 namespace {

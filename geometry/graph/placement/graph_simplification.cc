@@ -1,4 +1,4 @@
-#include "geometry/graph/graph_simplification.h"
+#include "geometry/graph/placement/graph_simplification.h"
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>

@@ -1,4 +1,4 @@
-#include "geometry/graph/graph_interior.h"
+#include "geometry/graph/placement/graph_interior.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

@@ -1,4 +1,4 @@
-#include "deformers/embedded/winding.h"
+#include "deformers/embedded/handles/winding.h"
 
 #include <fmt/format.h>
 

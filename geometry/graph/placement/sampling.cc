@@ -1,4 +1,4 @@
-#include "geometry/graph/sampling.h"
+#include "geometry/graph/placement/sampling.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "geometry/graph/deformation_graph.h"
-#include "geometry/graph/loose_vertices.h"
-#include "geometry/graph/thin_out.h"
+#include "geometry/graph/placement/loose_vertices.h"
+#include "geometry/graph/placement/thin_out.h"
 
 namespace deformlab {
 namespace {

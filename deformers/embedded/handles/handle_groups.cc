@@ -1,4 +1,4 @@
-#include "deformers/embedded/handle_groups.h"
+#include "deformers/embedded/handles/handle_groups.h"
 
 #include <Eigen/SVD>
 #include <map>

@@ -1,4 +1,4 @@
-#include "deformers/embedded/pins.h"
+#include "deformers/embedded/handles/pins.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/graph/graph_grid.h"
+#include "geometry/graph/placement/graph_grid.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "experiments/scenes/jet.h"
 #include "experiments/subjects/animation/mesh_measurements.h"
 #include "experiments/subjects/particles/stream_measurements.h"
-#include "geometry/graph/graph_simplification.h"
+#include "geometry/graph/placement/graph_simplification.h"
 #include "tests/support/program.h"
 #include "tests/support/shapes.h"
 
