@@ -17,6 +17,7 @@ struct Written {
   std::string name;
   Words command, old_words, new_words;
   std::string unit;
+  bool exchanges = true;  ///< whether the file system exchanges two folders in one step
   friend void PrintTo(const Written& test, std::ostream* out) { *out << test.name; }
 };
 
@@ -47,8 +48,10 @@ class Faults : public Program, public ::testing::WithParamInterface<Written> {
     all.insert(all.end(), more.begin(), more.end());
     if (fault.empty()) return start(all);
     setenv("DEFORMLAB_FAULT", (fault + ":" + log().string()).c_str(), 1);
+    if (!GetParam().exchanges) setenv("DEFORMLAB_LACKS", "renameat2", 1);
     Ending ending = start_program(place(""), all, DEFORMLAB_FAULTY_PATH);
     unsetenv("DEFORMLAB_FAULT");
+    unsetenv("DEFORMLAB_LACKS");
     return ending;
   }
 
@@ -110,7 +113,7 @@ class Faults : public Program, public ::testing::WithParamInterface<Written> {
 };
 
 TEST_P(Faults, LeaveTheOldOrTheNewResult) {
-  const auto& [name, command, old_words, new_words, unit] = GetParam();
+  const auto& [name, command, old_words, new_words, unit, exchanges] = GetParam();
   ASSERT_EQ(run(old_words).status, 0);
   const Files begin = contents(), old = comparable();
   ASSERT_EQ(run(new_words).status, 0);
@@ -136,7 +139,9 @@ TEST_P(Faults, LeaveTheOldOrTheNewResult) {
         EXPECT_EQ(ending.status, 2) << ending.err;
         EXPECT_NE(ending.err.find("deformlab: cannot write"), std::string::npos) << ending.err;
       }
-      expect_whole(old, fresh);
+      // Without an exchange, a fault between two renames leaves a state that the next run mends,
+      // unless the first rename can be taken back.
+      if (exchanges || kind == "once") expect_whole(old, fresh);
       const Ending next = run(new_words);
       EXPECT_EQ(next.status, 0) << next.err;
       EXPECT_THAT(differences(comparable(), fresh), ::testing::IsEmpty());
@@ -151,6 +156,12 @@ INSTANTIATE_TEST_SUITE_P(
     Of, Faults,
     ::testing::Values(
         Written{"Run", {"run", "c.yaml"}, {"graph.nodes=10"}, {"graph.nodes=12"}, "results/c/"},
+        Written{"RunWithoutExchange",
+                {"run", "c.yaml"},
+                {"graph.nodes=10"},
+                {"graph.nodes=12"},
+                "results/c/",
+                false},
         Written{"RunOfAnimation",
                 {"run", "c.yaml", "animation={file: in-%d.obj, pictured: 1}", "shape={}",
                  "edit=[{select: {nearest: [0, 0, 1]}, fix: true}, {select: {nearest: [4, 0, 1]}, "

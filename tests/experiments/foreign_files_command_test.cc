@@ -85,7 +85,7 @@ TEST_F(ForeignFiles, AnInputThatIsNotReadIsNamedRatherThanTheOutput) {
   EXPECT_EQ(svgz.status, 2);
   EXPECT_THAT(gltf.err,
               AllOf(HasSubstr("cannot read 'in.gltf'"), HasSubstr(".off, .obj, .ply, .stl"),
-                    HasSubstr(".png, .jpg, .webp, .svg"), Not(HasSubstr("cannot write"))));
+                    HasSubstr(".png, .jpg, .jpeg, .webp, .svg"), Not(HasSubstr("cannot write"))));
   EXPECT_THAT(svgz.err, AllOf(HasSubstr("cannot read 'in.svgz'"), HasSubstr("unpack it"),
                               HasSubstr(".svg"), Not(HasSubstr("cannot write"))));
 }

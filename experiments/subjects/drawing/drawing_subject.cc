@@ -110,7 +110,10 @@ class DrawingSubject : public Subject {
   const Summary& solve() const override { return drag_.last.solve; }
 
   std::vector<std::string> shortfalls() const override {
-    std::vector<std::string> result = missed_handles(scene_, V_, edit_, drag_.last);
+    std::vector<std::string> result;
+    if (!options_.drag.back) {  // where handles go back, they are not to be at their targets
+      result = missed_handles(scene_, V_, edit_, drag_.last);
+    }
     if (!arap_) std::ranges::move(inside_out(drag_.last), std::back_inserter(result));
     return result;
   }

@@ -74,8 +74,10 @@ class ShapeSubject : public Subject {
 
   std::vector<std::string> shortfalls() const override {
     const Eigen::Matrix3Xd& V = deformer_->deformed().V;
-    std::vector<std::string> result =
-        missed_handles(rest_, V, edit_.handles, edit_.targets, drag_.last);
+    std::vector<std::string> result;
+    if (!options_.drag.back) {  // where handles go back, they are not to be at their targets
+      result = missed_handles(rest_, V, edit_.handles, edit_.targets, drag_.last);
+    }
     for (const auto& more : {tears(rest_, V, drag_.last), inside_out(drag_.last)}) {
       result.insert(result.end(), more.begin(), more.end());
     }
