@@ -94,7 +94,7 @@ bool improve(NearestSources& nearest, const Arrival& path) {
   auto distances = nearest.distances.col(vertex);
   int& found = nearest.found[vertex];
   const auto is_before = [&](int a) {
-    return std::pair(distances[a], sources[a]) < std::pair(distance, source);
+    return std::pair(distances[a], sources[a]) < std::pair(path.distance, path.source);
   };
   const int count = static_cast<int>(distances.size());
   if (found == count && is_before(count - 1)) return false;
