@@ -57,17 +57,25 @@ void DrawingBook::add_steps(const PicturedDrawing& pictured, const Eigen::Matrix
 }
 
 void DrawingBook::add(const PicturedDrawing& pictured, DrawingPanel panel) {
-  panels_.push_back({pictured.bound, std::move(panel), pictured.page});
+  panels_.push_back({pictured.bound, std::move(panel), pictured.drawn_on, pictured.page});
+}
+
+// What the panels of all drawings on such a page show, so that these can be compared. A drawing on
+// another page is another one, and fills its own panels.
+Page DrawingBook::frame_for(const Page& drawn_on) const {
+  Page frame;
+  for (const Entry& entry : panels_) {
+    if (!entry.drawn_on.isApprox(drawn_on, 0)) continue;
+    frame.extend(entry.page ? *entry.page : frame_of(*entry.bound, {entry.panel}));
+  }
+  return frame;
 }
 
 Image DrawingBook::render() const {
-  Page frame;
-  for (const Entry& entry : panels_)
-    frame.extend(entry.page ? *entry.page : frame_of(*entry.bound, {entry.panel}));
   const int width = options_.width == PictureOptions{}.width ? kPanelWidth : options_.width;
   std::vector<Image> images;
   for (const Entry& entry : panels_) {
-    images.push_back(draw_panel(*entry.bound, entry.panel, frame, width));
+    images.push_back(draw_panel(*entry.bound, entry.panel, frame_for(entry.drawn_on), width));
   }
   const int columns = options_.columns > 0 ? options_.columns : 4;
   return grid(images, std::min(columns, static_cast<int>(images.size())));

@@ -12,10 +12,11 @@
 
 namespace deformlab {
 
-/// A drawing that is pictured, the weights of its triangles, its handles, and what its panels show
-/// if that does not depend on the deformation.
+/// A drawing that is pictured, its own page, the weights of its triangles, its handles, and what
+/// its panels show if that does not depend on the deformation.
 struct PicturedDrawing {
   std::shared_ptr<const BoundDrawing> bound;
+  Page drawn_on;
   Eigen::VectorXd weights;  ///< #F
   ResolvedEdit edit;
   std::optional<Page> page = {};
@@ -42,8 +43,10 @@ class DrawingBook : public Book {
   struct Entry {
     std::shared_ptr<const BoundDrawing> bound;
     DrawingPanel panel;
+    Page drawn_on;
     std::optional<Page> page;
   };
+  Page frame_for(const Page& drawn_on) const;
   void add(const PicturedDrawing& pictured, DrawingPanel panel);
 
   PictureOptions options_;

@@ -140,7 +140,7 @@ class DrawingSubject : public Subject {
 
   void draw(Book& book, const std::string& caption) override {
     auto& pictures = dynamic_cast<DrawingBook&>(book);
-    const PicturedDrawing pictured{bound(), scene_.weights, edit_,
+    const PicturedDrawing pictured{bound(), scene_.drawing.page, scene_.weights, edit_,
                                    options_.output.page.fixed(scene_.drawing)};
     if (pictures.empty()) pictures.add_rest(pictured);
     if (arap_ && options_.picture.steps) {
