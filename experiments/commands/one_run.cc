@@ -1,6 +1,7 @@
 #include "experiments/commands/one_run.h"
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include "experiments/config/config.h"
 #include "experiments/config/override.h"
 #include "experiments/config/suggest.h"
+#include "experiments/subjects/methods.h"
 #include "experiments/subjects/outputs.h"
 #include "experiments/subjects/run_options.h"
 #include "geometry/core/error.h"
@@ -51,11 +53,30 @@ void check_overrides(const std::vector<Override>& overrides, const SubjectKind& 
   }
 }
 
-// The config of the run.
-ConfigNode config_of(const SubjectKind& kind, const CommandLine& line) {
+std::vector<Override> read_overrides(const CommandLine& line, const SubjectKind& kind) {
   std::vector<Override> overrides;
   for (const std::string& text : line.overrides) overrides.push_back(parse_override(text));
   check_overrides(overrides, kind);
+  return overrides;
+}
+
+// Options of another method do not stop a run, so that `deformer` can be changed alone.
+void warn_of_other_methods(const std::vector<Override>& overrides, const SubjectKind& kind,
+                           const RunOptions& options) {
+  const DeformerKind named = options.method.deformer;
+  const DeformerKind method = named == DeformerKind::kAuto ? kind.automatic : named;
+  for (const Override& change : overrides) {
+    const std::string key = change.key.substr(0, change.key.find('.'));
+    if (!is_without_effect(key, method)) continue;
+    LOG(WARNING) << fmt::format(
+        "override {}: it has no effect on the deformer {}; it is for deformer={}",
+        quote(change.text()), name_of(method), name_of(method_that_reads(key)));
+  }
+}
+
+// The config of the run.
+ConfigNode config_of(const SubjectKind& kind, const CommandLine& line,
+                     const std::vector<Override>& overrides) {
   ConfigNode root;
   root.kind = ConfigNode::Kind::kMap;
   kind.load_edit(line.edit, root);
@@ -118,8 +139,10 @@ int run_once(const SubjectKind& kind, const CommandLine& line, const std::string
   check_picture_name(line.picture);
   check_outputs({line.input, line.edit},
                 {{line.out, "--out"}, {line.metrics, "--metrics"}, {line.picture, "--picture"}});
-  const ConfigNode root = config_of(kind, line);
+  const std::vector<Override> overrides = read_overrides(line, kind);
+  const ConfigNode root = config_of(kind, line, overrides);
   const RunOptions options = read(kind, root);
+  warn_of_other_methods(overrides, kind, options);
   return with_lines_of(root, [&] { return run_and_write(kind, line, options, caption); });
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "experiments/config/config.h"
 #include "geometry/core/options.h"
 
 namespace deformlab {
@@ -39,6 +40,21 @@ Eigen::VectorXd vertex_stiffness(const DrawingScene& scene) {
 }
 
 }  // namespace
+
+DeformerKind method_that_reads(std::string_view key) {
+  for (const auto& [kind, name] : names_of(DeformerKind())) {
+    if (name == key) return kind;
+  }
+  return DeformerKind::kEmbeddedDeformation;
+}
+
+bool is_without_effect(std::string_view key, DeformerKind method) {
+  FieldNames keys;
+  const MethodOptions options;
+  MethodOptions::fields(options, keys);
+  const bool known = key != "deformer" && std::ranges::find(keys.names, key) != keys.names.end();
+  return known && method_that_reads(key) != method;
+}
 
 std::unique_ptr<Deformer> make_deformer(const MethodOptions& options, const Shape& rest,
                                         std::span<const Cut> cuts) {

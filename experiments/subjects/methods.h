@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "deformers/arap_2d/arap_2d.h"
 #include "deformers/baselines/cgal_arap.h"
@@ -11,21 +11,10 @@
 #include "deformers/embedded/adaptive_deformation.h"
 #include "deformers/embedded/embedded_deformation.h"
 #include "deformers/embedded/presets.h"
+#include "experiments/subjects/deformer_kind.h"
 #include "experiments/subjects/drawing/drawing_scene.h"
 
 namespace deformlab {
-
-/// The method that deforms. auto is embedded_deformation for a shape and arap_2d for a drawing.
-enum class DeformerKind { kAuto, kEmbeddedDeformation, kArap2d, kRbf, kPrimo, kCgalArap };
-constexpr auto names_of(DeformerKind) {
-  using enum DeformerKind;
-  return std::to_array<EnumName<DeformerKind>>({{kAuto, "auto"},
-                                                {kEmbeddedDeformation, "embedded_deformation"},
-                                                {kArap2d, "arap_2d"},
-                                                {kRbf, "rbf"},
-                                                {kPrimo, "primo"},
-                                                {kCgalArap, "cgal_arap"}});
-}
 
 /// The method that a config runs, and the options of each method. Those of embedded deformation
 /// stand at the top of a config, those of the others under the method's name.
@@ -60,6 +49,12 @@ struct MethodOptions {
     visit("cgal_arap", o.cgal_arap, "Options of CGAL's as-rigid-as-possible deformation");
   }
 };
+
+/// The method that reads a key of the first level of MethodOptions, other than `deformer`: the one
+/// of this name, and otherwise embedded deformation.
+DeformerKind method_that_reads(std::string_view key);
+/// Whether the key is one of MethodOptions and another method reads it.
+bool is_without_effect(std::string_view key, DeformerKind method);
 
 /// The method for a shape. `cuts` are for embedded deformation. Throws InputError for a method that
 /// is for drawings, or that cannot take the shape or the cuts.

@@ -11,6 +11,7 @@
 #include "experiments/measure/drag.h"
 #include "experiments/measure/measurements.h"
 #include "experiments/subjects/claims.h"
+#include "experiments/subjects/deformer_kind.h"
 #include "render/image.h"
 #include "solvers/summary.h"
 
@@ -104,6 +105,8 @@ struct SubjectKind {
   const char* flag;      ///< the flag that names its file; empty: the first argument does
   const char* file_key;  ///< the key of a config that names its file: "drawing.file"
   std::vector<std::string> meaningless;  ///< keys of a config that have no effect on it
+  /// What `deformer: auto` means for it.
+  DeformerKind automatic = DeformerKind::kEmbeddedDeformation;
 
   /// Whether the options of a config describe such a subject.
   bool (*is_in)(const RunOptions&);

@@ -148,6 +148,23 @@ TEST_F(OneRun, RefusesKeysThatMeanNothing) {
   expect_refused(frames({"animation.sequence.every=1"}), {"animation.sequence.every"});
 }
 
+TEST_F(OneRun, NamesKeysOfOtherMethods) {
+  const auto warnings = [&](const Words& words) {
+    const Ending ending = start(words);
+    EXPECT_EQ(ending.status, 0) << ending.err;
+    return ending.err;
+  };
+  const std::string said = "has no effect on the deformer";
+  EXPECT_THAT(warnings(drawing({"graph.nodes=30"})),
+              AllOf(HasSubstr("graph.nodes=30"), HasSubstr(said + " arap_2d"),
+                    HasSubstr("deformer=embedded_deformation")));
+  EXPECT_THAT(warnings(drawing({"graph.nodes=30", "deformer=embedded_deformation"})),
+              Not(HasSubstr(said)));
+  EXPECT_THAT(warnings(shape({"arap_2d.refinements=1"})), HasSubstr(said));
+  EXPECT_THAT(warnings(shape({"solver.epsilon=1e-7", "graph.neighbors=5"})), Not(HasSubstr(said)));
+  EXPECT_THAT(warnings(shape({"deformer=primo", "primo.height=0.05"})), Not(HasSubstr(said)));
+}
+
 TEST_F(OneRun, OfAConfigTakesAnimationsInFiles) {
   const std::string edit = get("tube.yaml"), small = "picture: {width: 40, height: 30}\n";
   put("c/in-0.obj", tube_frame(0));

@@ -215,6 +215,7 @@ SubjectKind drawing_kind() {
       .flag = "",
       .file_key = "drawing.file",
       .meaningless = {"shape", "animation"},
+      .automatic = DeformerKind::kArap2d,
       .is_in = [](const RunOptions& options) { return !options.drawing.file.empty(); },
       .reads = is_drawing,
       .load_edit = put_edit,
