@@ -87,7 +87,8 @@ class Faults : public Program, public ::testing::WithParamInterface<Written> {
     const std::string& unit = GetParam().unit;
     bool is_old = true, is_fresh = true;
     const Files now = contents();
-    for (const auto& [name, bytes] : now) {
+    for (const auto& file : now) {
+      const std::string &name = file.first, &bytes = file.second;
       const auto is_of = [&](const Files& files) {
         const auto found = files.find(name);
         return found != files.end() && found->second == bytes;
