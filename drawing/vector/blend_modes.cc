@@ -80,7 +80,7 @@ BlendModes::BlendModes(const pugi::xml_node& root) {
   for (std::string& text : sheets.texts) read_sheet(without_comments(std::move(text)));
 }
 
-void BlendModes::read_sheet(std::string text) {
+void BlendModes::read_sheet(const std::string& text) {
   std::string_view rest = text;
   while (true) {
     const std::size_t open = rest.find('{');

@@ -35,7 +35,7 @@ class BlendModes {
     int weight = 0;  ///< of its selector; the last one of the greatest weight counts
   };
 
-  void read_sheet(std::string text);
+  void read_sheet(const std::string& text);
   void add_rules(std::string_view selector, std::string_view declarations);
   static bool parse(std::string_view selector, Rule& rule);
   static bool matches(const Rule& rule, const pugi::xml_node& element);

@@ -116,7 +116,7 @@ void AtomicFolder::commit() {
   try {
     if (fs::exists(target_)) keep_old();
     check(output_calls::sync_folder(temporary_), named_);
-    swap();
+    exchange();
     committed_ = true;
     check(output_calls::sync_folder(parent()), named_);
     if (fs::exists(temporary_) && !discard(temporary_, target_)) {
@@ -135,7 +135,7 @@ void AtomicFolder::keep_old() {
 }
 
 // Without an exchange in one step there is a moment in which only hidden folders hold the results.
-void AtomicFolder::swap() {
+void AtomicFolder::exchange() {
   if (!fs::exists(target_)) return check(output_calls::rename(temporary_, target_), named_);
   const int error = output_calls::exchange(temporary_, target_);
   const bool lacking = error == ENOSYS || error == EINVAL || error == EOPNOTSUPP;

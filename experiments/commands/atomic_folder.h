@@ -36,7 +36,7 @@ class AtomicFolder {
   void clean_up() const;
   void make_temporary();
   void keep_old();
-  void swap();
+  void exchange();
   std::filesystem::path parent() const;
   std::string hidden(const std::string& ending) const;
 
