@@ -60,7 +60,8 @@ void check(const Embedding& embedding, Eigen::Index m) {
         n, k, embedding.nodes.cols(), embedding.weights.rows(), embedding.weights.cols()));
   }
   check_indices({embedding.nodes.data(), std::size_t(k * n)}, m, "node", "the points");
-  if (!std::isfinite(embedding.weights.sum())) throw InputError("a weight of an embedding is not finite");
+  if (!std::isfinite(embedding.weights.sum()))
+    throw InputError("a weight of an embedding is not finite");
 }
 
 Embedding joined(const Embedding& first, const Embedding& second) {
