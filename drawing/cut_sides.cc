@@ -1,27 +1,16 @@
 #include "drawing/cut_sides.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace deformlab {
 namespace {
-
-double mean_edge(const Triangulation& mesh) {
-  double sum = 0;
-  for (const auto& f : mesh.F.colwise())
-    for (int c = 0; c < 3; ++c) sum += (mesh.V.col(f[c]) - mesh.V.col(f[(c + 1) % 3])).norm();
-  return sum / std::max(1.0, static_cast<double>(mesh.F.size()));
-}
 
 /// The way to a point from the nearest place on the lines.
 Eigen::Vector2d way_from(const CutLines& lines, const Eigen::Vector2d& point) {
   Eigen::Vector2d nearest = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   for (const Eigen::Matrix2Xd& line : lines)
     for (Eigen::Index i = 0; i + 1 < line.cols(); ++i) {
-      const Eigen::Vector2d along = line.col(i + 1) - line.col(i), p = point - line.col(i);
-      const double length = along.squaredNorm();
-      const double t = length > 0 ? std::clamp(p.dot(along) / length, 0.0, 1.0) : 0;
-      const Eigen::Vector2d way = p - t * along;
+      const Eigen::Vector2d way = way_from_segment(line.col(i), line.col(i + 1), point);
       if (way.squaredNorm() < nearest.squaredNorm()) nearest = way;
     }
   return nearest;
@@ -34,7 +23,7 @@ Eigen::Matrix2Xd places_beside(const CutLines& cuts, const Eigen::Matrix2Xd& poi
   constexpr double kOnCut = 0.01;  // in mean edges
   Eigen::Matrix2Xd places = points;
   if (cuts.empty()) return places;
-  const double edge = mean_edge(rest);
+  const double edge = mean_edge_length(rest);
   for (auto place : places.colwise()) {
     const Eigen::Vector2d way = way_from(cuts, place);
     if (!(way.norm() < kOnCut * edge) || way.isZero(0)) continue;

@@ -25,15 +25,11 @@ namespace fs = std::filesystem;
 constexpr std::array<double, 4> kFill{0.87, 0.84, 0.805, 1}, kLine{0.30, 0.45, 0.68, 1};
 constexpr double kLineWidth = 0.002, kMargin = 0.02;  // as parts of the page's diagonal
 
-/// The first words of a line that is not understood.
-std::string beginning_of(const std::vector<Token>& words) {
-  constexpr std::size_t kShown = 40;
+/// A line that is not understood, for messages.
+std::string quoted_line(const std::vector<Token>& words) {
   std::string text;
   for (const Token& word : words) text += (text.empty() ? "" : " ") + std::string(word.text);
-  text = text.substr(0, kShown);
-  std::ranges::replace_if(
-      text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
+  return quoted_ascii(text);
 }
 
 /// The tolerance for the colour of the background, or nothing for `none`.
@@ -102,8 +98,8 @@ Drawing read_polygon(const fs::path& path, const DrawingOptions& options) {
     const auto& words = lines.tokens();
     const auto x = to_number(words.front().text), y = to_number(words.back().text);
     if (words.size() != 2 || !x || !y)
-      cannot_read(path, fmt::format("{} must be the two coordinates of a corner, 'x y'; found '{}'",
-                                    lines.name(), beginning_of(words)));
+      cannot_read(path, fmt::format("{} must be the two coordinates of a corner, 'x y'; found {}",
+                                    lines.name(), quoted_line(words)));
     coordinates.insert(coordinates.end(), {*x, *y});
   }
   const Eigen::Matrix2Xd corners =

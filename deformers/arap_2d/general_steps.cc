@@ -25,14 +25,6 @@ std::unique_ptr<Energy> energy(Terms<Term> sum) {
   return std::make_unique<TermEnergy<Term>>(std::move(sum));
 }
 
-double mean_edge(const Triangulation& mesh) {
-  double sum = 0;
-  for (const auto f : mesh.F.colwise()) {
-    for (int c = 0; c < 3; ++c) sum += (mesh.V.col(f[(c + 1) % 3]) - mesh.V.col(f[c])).norm();
-  }
-  return sum / static_cast<double>(3 * mesh.F.cols());
-}
-
 Unknowns vertices(const Triangulation& mesh) {
   return Unknowns::uniform(mesh.V, static_cast<int>(mesh.V.cols()));
 }
@@ -64,7 +56,7 @@ GeneralSteps::GeneralSteps(const Triangulation& mesh, const Eigen::VectorXd& wei
                            int refinements, const SolverOptions& solver)
     : weights_(weights), refinements_(refinements), V_(mesh.V) {
   check_rest_mesh(mesh, weights);
-  unit_ = mean_edge(mesh);
+  unit_ = mean_edge_length(mesh);
   origin_ = mesh.V.rowwise().mean();
   mesh_ = {(mesh.V.colwise() - origin_) / unit_, mesh.F};
   components_ = components(mesh_);

@@ -29,7 +29,8 @@ bool EmbeddedDeformation::wants_interior() const {
       break;
   }
   const double turn = turn_between_neighbors(graph_, handles_, rotations_, nodes_at_rest());
-  return turn > kMoreThanHalfTurn && cuts_.empty() && !why_open(rest_);
+  if (!(turn > kMoreThanHalfTurn && cuts_.empty())) return false;
+  return has_interior_ || !why_open(rest_);  // where there are some, the shape is closed
 }
 
 bool EmbeddedDeformation::fit_interior() {

@@ -10,14 +10,6 @@ namespace {
 
 constexpr double kHalf = 0.75;  // width of a cut; with less, pixels stay connected across a corner
 
-double distance(const Eigen::Vector2d& point, const Eigen::Vector2d& from,
-                const Eigen::Vector2d& to) {
-  const Eigen::Vector2d along = to - from;
-  const double length = along.squaredNorm();
-  const double t = length > 0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0;
-  return (point - from - t * along).norm();
-}
-
 /// The indices of the pixels that lie between two coordinates or beside them.
 std::pair<Eigen::Index, Eigen::Index> range(double a, double b, Eigen::Index size) {
   const auto last = static_cast<double>(size - 1);
@@ -28,6 +20,14 @@ std::pair<Eigen::Index, Eigen::Index> range(double a, double b, Eigen::Index siz
 }
 
 }  // namespace
+
+Eigen::Vector2d way_from_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                 const Eigen::Vector2d& point) {
+  const Eigen::Vector2d along = to - from;
+  const double length = along.squaredNorm();
+  const double t = length > 0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0;
+  return point - from - t * along;
+}
 
 std::vector<std::string> cut_along(const CutLines& lines, double resolution,
                                    Eigen::ArrayXXf& alpha) {
@@ -41,7 +41,7 @@ std::vector<std::string> cut_along(const CutLines& lines, double resolution,
       const auto [top, bottom] = range(from.y(), to.y(), alpha.rows());
       for (Eigen::Index y = top; y <= bottom; ++y)
         for (Eigen::Index x = left; x <= right; ++x)
-          if (alpha(y, x) > 0 && distance({x + 0.5, y + 0.5}, from, to) < kHalf) {
+          if (alpha(y, x) > 0 && way_from_segment(from, to, {x + 0.5, y + 0.5}).norm() < kHalf) {
             alpha(y, x) = 0;
             meets = true;
           }

@@ -13,11 +13,6 @@ namespace {
 constexpr const char* kProperties[] = {"mix-blend-mode", "isolation"};
 constexpr int kImportant = 1'000'000'000, kOwnStyle = 100'000'000;  // weights of declarations
 
-std::string_view local_name(const pugi::xml_node& node) {
-  const std::string_view name = node.name();
-  return name.substr(name.find(':') + 1);
-}
-
 bool is_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' ||
          static_cast<unsigned char>(c) > 127;
@@ -29,13 +24,6 @@ std::string take_name(std::string_view& text) {
   std::string name(text.begin(), end);
   text.remove_prefix(name.size());
   return name;
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == text.npos) return "";
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
 std::string without_comments(std::string text) {
@@ -63,7 +51,7 @@ struct Sheets : pugi::xml_tree_walker {
   std::vector<std::string> texts;
 
   bool for_each(pugi::xml_node& node) override {
-    if (local_name(node) != "style") return true;
+    if (local_name(node.name()) != "style") return true;
     std::string& text = texts.emplace_back();
     for (const pugi::xml_node& child : node.children())
       if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
@@ -151,7 +139,7 @@ bool BlendModes::parse(std::string_view selector, Rule& rule) {
 }
 
 bool BlendModes::Step::matches(const pugi::xml_node& element) const {
-  return element && (type.empty() || type == local_name(element)) &&
+  return element && (type.empty() || type == local_name(element.name())) &&
          (id.empty() || id == element.attribute("id").value()) &&
          std::ranges::all_of(classes, [&](const auto& name) { return has_class(element, name); });
 }

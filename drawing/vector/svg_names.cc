@@ -13,11 +13,6 @@
 namespace deformlab {
 namespace {
 
-std::string_view local_name(const pugi::xml_node& node) {
-  const std::string_view name = node.name();
-  return name.substr(name.find(':') + 1);
-}
-
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -25,7 +20,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 /// The elements that paint something themselves, in the order in which they are painted.
 void collect(const pugi::xml_node& node, std::vector<pugi::xml_node>& leaves) {
   for (const pugi::xml_node& child : node.children()) {
-    const std::string_view name = local_name(child);
+    const std::string_view name = local_name(child.name());
     if (is_one_of(name, {"g", "a", "svg"})) collect(child, leaves);
     if (is_one_of(name, {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "use",
                          "switch"}))
@@ -132,7 +127,7 @@ bool SvgNames::has_id(const std::string& id) const {
 }
 
 void SvgNames::copy_to(const pugi::xml_node& from, pugi::xml_node to, bool with_id) const {
-  const bool is_link = local_name(from) == "a";
+  const bool is_link = local_name(from.name()) == "a";
   for (const pugi::xml_attribute& attribute : from.attributes()) {
     const std::string_view name = attribute.name();
     const bool copied = name == "id" ? with_id : names_something(name, is_link);

@@ -5,12 +5,6 @@
 namespace deformlab {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 /// Collects the control points of one curve after the other.
 class Pen {
  public:
@@ -59,6 +53,15 @@ class Pen {
 };
 
 }  // namespace
+
+std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(kSpace);
+  if (begin == text.npos) return "";
+  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
 
 std::vector<double> numbers(std::string_view text) {
   std::vector<double> values;

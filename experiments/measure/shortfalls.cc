@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
 #include <utility>
 
+#include "deformers/embedded/handles/handle_groups.h"
 #include "experiments/measure/drag.h"
 #include "geometry/core/error.h"
 #include "geometry/core/median.h"
@@ -107,13 +107,10 @@ class Stretch {
 // turn it is where it was, but it has moved.
 double longest_arc(const Eigen::Matrix3Xd& from, const Handles& handles) {
   if (handles.rotations.cols() == 0) return 0;
-  std::map<int, std::vector<int>> groups;
-  for (int l = 0; l < from.cols(); ++l) {
-    const bool turns = handles.rotations.col(l).allFinite();
-    if (turns) groups[handles.groups.empty() ? l : handles.groups[l]].push_back(l);
-  }
   double longest = 0;
-  for (const auto& [number, group] : groups) {
+  for (std::vector<int>& group : handle_groups(from.cols(), handles.groups)) {
+    std::erase_if(group, [&](int l) { return !handles.rotations.col(l).allFinite(); });
+    if (group.empty()) continue;
     const Eigen::Vector3d centroid = from(Eigen::all, group).rowwise().mean();
     for (const int l : group) {
       const Eigen::Vector3d arm = from.col(l) - centroid, turn = handles.rotations.col(l);
@@ -131,13 +128,17 @@ double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matri
   return std::max((targets - from).colwise().norm().maxCoeff(), longest_arc(from, handles));
 }
 
+double allowed_miss(double motion, double size) {
+  return std::max(kMissed * motion, kRounding * size);
+}
+
 std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3Xd& V,
                                         const Handles& handles, const Eigen::Matrix3Xd& targets,
                                         const Report& report) {
   std::vector<std::string> result = report.undone;
   const double motion = edit_motion(rest, handles, targets);
-  const double most_allowed = std::max(kMissed * motion, kRounding * bounding_box_diagonal(rest.V));
-  if (!(report.handle_max > most_allowed)) return result;
+  const double allowed = allowed_miss(motion, bounding_box_diagonal(rest.V));
+  if (!(report.handle_max > allowed)) return result;
   int count = 0, worst = -1;
   double most = 0;
   for (std::size_t l = 0; l < handles.moved.size(); ++l) {

@@ -16,6 +16,10 @@ namespace deformlab {
 /// on which it turns with its group [length].
 double edit_motion(const Shape& rest, const Handles& handles, const Eigen::Matrix3Xd& targets);
 
+/// How far a handle may stop short of its target: 2 % of the edit's motion, or more where rounding
+/// errors of a shape of this size are [length].
+double allowed_miss(double motion, double size);
+
 /// Handles that stop more than 2 % of the edit's motion, the longest way of a handle, short of
 /// their targets, and whatever the report calls undone.
 ///   V        3×#V, the deformed vertices [length]

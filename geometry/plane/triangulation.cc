@@ -49,6 +49,14 @@ TriangleQuality quality(const Triangulation& mesh) {
   return result;
 }
 
+double mean_edge_length(const Triangulation& mesh) {
+  double sum = 0;
+  for (const auto& f : mesh.F.colwise()) {
+    for (int c = 0; c < 3; ++c) sum += (mesh.V.col(f[(c + 1) % 3]) - mesh.V.col(f[c])).norm();
+  }
+  return sum / std::max(1.0, static_cast<double>(mesh.F.size()));
+}
+
 void append(const Triangulation& part, Triangulation& mesh) {
   check(part);
   const Eigen::Index vertices = mesh.V.cols(), triangles = mesh.F.cols();

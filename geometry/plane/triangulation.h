@@ -47,6 +47,9 @@ struct TriangulationOptions {
 /// mean, but at least 300 and at most 2000.
 int suited_vertices(const Region& region);
 
+/// The mean length of the triangles' edges, each triangle with its own [length]; 0 without any.
+double mean_edge_length(const Triangulation& mesh);
+
 /// Cuts a region into nearly equilateral triangles of similar size: a constrained Delaunay
 /// triangulation that is refined and then improved iteratively (Igarashi et al. 2005, section 3).
 /// From 80 vertices on their number is met within 3 %, unless the region's corners, holes and thin

@@ -42,6 +42,8 @@ TEST_F(DrawingSvg, KeepsTheBlendModesOfStyleSheets) {
   };
   auto found = with(".x { fill: #00f; mix-blend-mode: multiply; }");
   EXPECT_EQ(found["a"], multiply);
+  found = with("\n.x {\n\tfill: #00f;\n\tmix-blend-mode: multiply;\n}\n");
+  EXPECT_EQ(found["a"], multiply);
   EXPECT_EQ(found["b"], "");
   found = with("/* { */ rect, .none { mix-blend-mode: multiply } #b { mix-blend-mode: screen }");
   EXPECT_EQ(found["a"], multiply);

@@ -15,6 +15,7 @@ std::vector<std::vector<int>> handle_groups(Eigen::Index handles, std::span<cons
 }
 
 bool spans_a_plane(const Eigen::Matrix3Xd& points, double flat) {
+  if (points.cols() < 3) return false;
   const Eigen::Matrix3Xd arms = points.colwise() - points.rowwise().mean();
   const Eigen::Vector3d s = Eigen::JacobiSVD<Eigen::Matrix3d>(arms * arms.transpose())
                                 .singularValues();  // squares of those of the arms

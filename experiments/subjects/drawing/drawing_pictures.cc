@@ -60,22 +60,28 @@ void DrawingBook::add(const PicturedDrawing& pictured, DrawingPanel panel) {
   panels_.push_back({pictured.bound, std::move(panel), pictured.drawn_on, pictured.page});
 }
 
-// What the panels of all drawings on such a page show, so that these can be compared. A drawing on
-// another page is another one, and fills its own panels.
-Page DrawingBook::frame_for(const Page& drawn_on) const {
-  Page frame;
+// What each panel shows. Panels of drawings on the same page show the same, so that they can be
+// compared. A drawing on another page is another one, and fills its own panels.
+std::vector<Page> DrawingBook::frames() const {
+  std::vector<Page> frames;
   for (const Entry& entry : panels_) {
-    if (!entry.drawn_on.isApprox(drawn_on, 0)) continue;
-    frame.extend(entry.page ? *entry.page : frame_of(*entry.bound, {entry.panel}));
+    frames.push_back(entry.page ? *entry.page : frame_of(*entry.bound, {entry.panel}));
   }
-  return frame;
+  const std::vector<Page> own = frames;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    for (std::size_t j = 0; j < own.size(); ++j) {
+      if (panels_[i].drawn_on.isApprox(panels_[j].drawn_on, 0)) frames[i].extend(own[j]);
+    }
+  }
+  return frames;
 }
 
 Image DrawingBook::render() const {
   const int width = options_.width == PictureOptions{}.width ? kPanelWidth : options_.width;
+  const std::vector<Page> shown = frames();
   std::vector<Image> images;
-  for (const Entry& entry : panels_) {
-    images.push_back(draw_panel(*entry.bound, entry.panel, frame_for(entry.drawn_on), width));
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    images.push_back(draw_panel(*panels_[i].bound, panels_[i].panel, shown[i], width));
   }
   const int columns = options_.columns > 0 ? options_.columns : 4;
   return grid(images, std::min(columns, static_cast<int>(images.size())));

@@ -46,7 +46,7 @@ class DrawingBook : public Book {
     Page drawn_on;
     std::optional<Page> page;
   };
-  Page frame_for(const Page& drawn_on) const;
+  std::vector<Page> frames() const;
   void add(const PicturedDrawing& pictured, DrawingPanel panel);
 
   PictureOptions options_;

@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "drawing/binding.h"
+#include "experiments/measure/drag.h"
+#include "experiments/measure/shortfalls.h"
 #include "geometry/plane/locator.h"
 
 namespace deformlab {
 namespace {
-
-constexpr double kMissed = 0.02;    // of the edit's motion
-constexpr double kRounding = 1e-6;  // of the drawing's diagonal
 
 // The positions of the handles that have targets, 2×p, with the vertices at V.
 Eigen::Matrix2Xd places_of(const DrawingScene& scene, const Handles& handles,
@@ -37,12 +34,12 @@ std::string advice(const DrawingScene& scene, const Report& report) {
 std::vector<std::string> missed_handles(const DrawingScene& scene, const Eigen::Matrix2Xd& V,
                                         const ResolvedEdit& edit, const Report& report) {
   if (edit.targets.cols() == 0) return {};
-  const Eigen::Matrix2Xd rest = places_of(scene, edit.handles, scene.rest.V);
+  const Shape shape = to_shape(scene.rest);
+  const Eigen::Matrix2Xd rest = targets_at_rest(shape, edit.handles).topRows<2>();
   const Eigen::Matrix2Xd targets = edit.targets.topRows<2>();
   const Eigen::RowVectorXd misses = (places_of(scene, edit.handles, V) - targets).colwise().norm();
   const double motion = (targets - rest).colwise().norm().maxCoeff();
-  const double size = bounding_box_diagonal(to_shape(scene.rest).V);
-  const double allowed = std::max(kMissed * motion, kRounding * size);
+  const double allowed = allowed_miss(motion, bounding_box_diagonal(shape.V));
   Eigen::Index worst = 0;
   const double most = misses.maxCoeff(&worst);
   if (!(most > allowed)) return {};
