@@ -17,6 +17,8 @@ class Manifest {
   /// is empty.
   explicit Manifest(std::filesystem::path folder);
 
+  /// The files of the list, relative to the folder, also those that are gone.
+  const std::set<std::string>& names() const { return names_; }
   /// Whether a path in the folder, relative to it, is a file of the list. A link is never one.
   bool lists(const std::filesystem::path& name) const;
   /// Whether all files of the list are there.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include "experiments/commands/results.h"
 #include "experiments/commands/standard_streams.h"
@@ -12,7 +13,6 @@
 #include "experiments/config/override.h"
 #include "experiments/config/suggest.h"
 #include "experiments/subjects/methods.h"
-#include "experiments/subjects/outputs.h"
 #include "experiments/subjects/run_options.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -135,12 +135,14 @@ int run_and_write(const SubjectKind& kind, const CommandLine& line, const RunOpt
 
 }  // namespace
 
-int run_once(const SubjectKind& kind, const CommandLine& line, const std::string& caption) {
+int run_once(const SubjectKind& kind, CommandLine line, const std::string& caption) {
   check_picture_name(line.picture);
-  check_outputs({line.input, line.edit},
-                {{line.out, "--out"}, {line.metrics, "--metrics"}, {line.picture, "--picture"}});
+  line.inputs = {{line.input, "the input"}, {line.edit, "the edit"}};
+  check_outputs(line.inputs, line.outputs());
   const std::vector<Override> overrides = read_overrides(line, kind);
   const ConfigNode root = config_of(kind, line, overrides);
+  std::ranges::move(files_in(root), std::back_inserter(line.inputs));
+  check_distinct(line.inputs, line.outputs());
   const RunOptions options = read(kind, root);
   warn_of_other_methods(overrides, kind, options);
   return with_lines_of(root, [&] { return run_and_write(kind, line, options, caption); });

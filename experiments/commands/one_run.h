@@ -11,7 +11,8 @@ namespace deformlab {
 /// the picture that the command line asks for. `caption` stands below the deformed subject in the
 /// picture. Returns the exit status, which is 1 if the solver failed, and 3 if the result is not
 /// what the edit asked for; with `strict` nothing is written then. Throws InputError for
-/// anything that cannot be used, before anything is written.
-int run_once(const SubjectKind& kind, const CommandLine& line, const std::string& caption);
+/// anything that cannot be used, and for a file to write that the run also reads, before anything
+/// is written.
+int run_once(const SubjectKind& kind, CommandLine line, const std::string& caption);
 
 }  // namespace deformlab

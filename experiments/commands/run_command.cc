@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
 
 #include "experiments/commands/atomic_folder.h"
 #include "experiments/commands/commands.h"
+#include "experiments/commands/manifest.h"
 #include "experiments/commands/results.h"
 #include "experiments/commands/standard_streams.h"
+#include "experiments/subjects/outputs.h"
 #include "geometry/core/error.h"
 
 namespace deformlab {
@@ -31,6 +35,19 @@ bool report_failures(const std::string& name, const Outcome& outcome) {
     failed = true;
   }
   return !failed || expected;
+}
+
+// The folder of results is replaced as a whole, with all that earlier runs have written.
+void check_inputs_stay(const fs::path& config, const Plan& plan, const fs::path& folder) {
+  std::vector<NamedFile> inputs{{config.string(), "the config"}}, outputs;
+  for (const ConfigNode& root : plan.roots) {
+    std::ranges::move(files_in(root), std::back_inserter(inputs));
+  }
+  const Manifest manifest(folder);
+  for (const std::string& name : manifest.names()) {
+    outputs.push_back({(folder / name).string(), "the result"});
+  }
+  check_distinct(inputs, outputs);
 }
 
 // Returns whether every claim holds or falls short for a known reason.
@@ -83,6 +100,9 @@ int run_command(const std::vector<std::string>& arguments, const fs::path& out) 
   check_names(configs);
   std::vector<Plan> plans;
   for (const fs::path& config : configs) plans.push_back(plan_experiment(config, overrides));
+  for (std::size_t i = 0; i < configs.size(); ++i) {
+    check_inputs_stay(configs[i], plans[i], out / configs[i].stem());
+  }
   bool good = true;
   for (std::size_t i = 0; i < configs.size(); ++i) {
     good = run_config(configs[i], plans[i], out) && good;

@@ -1,10 +1,13 @@
 #include "experiments/subjects/outputs.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
+#include "experiments/config/config_node.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
@@ -13,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_output(const Output& output) {
+void check_output(const NamedFile& output) {
   const auto& [file, flag] = output;
   if (file.empty()) return;
   const std::string cannot = fmt::format("cannot write '{}' ({}): ", file, flag);
@@ -35,31 +38,58 @@ void check_output(const Output& output) {
   }
 }
 
-bool same_file(const std::string& a, const std::string& b) {
+// The same for all paths of one file: its number where it exists, and its full path elsewhere.
+std::string identity(const std::string& path) {
+  struct stat file = {};
+  if (::stat(path.c_str(), &file) == 0) return fmt::format("{}:{}", file.st_dev, file.st_ino);
   std::error_code ignored;
-  const fs::path first = fs::weakly_canonical(a, ignored);
-  return !first.empty() && first == fs::weakly_canonical(b, ignored);
+  return fs::weakly_canonical(fs::absolute(path, ignored), ignored).string();
+}
+
+std::string text_of(const NamedFile& file) { return fmt::format("{} '{}'", file.name, file.path); }
+
+// The shape of a config may also be in the working folder.
+void add_file(const ConfigNode& node, std::vector<NamedFile>& files) {
+  std::error_code ignored;
+  for (const fs::path& path : {node.folder() / node.text, fs::path(node.text)}) {
+    if (!fs::exists(path, ignored)) continue;
+    files.push_back({path.string(), fmt::format("the file ({})", node.where())});
+    return;
+  }
+}
+
+void add_files(const ConfigNode& node, std::vector<NamedFile>& files) {
+  const bool is_file = node.key == "file" || node.key == "targets" || node.key == "mask";
+  if (is_file && node.kind == ConfigNode::Kind::kScalar) add_file(node, files);
+  for (const ConfigNode& child : node.children) add_files(child, files);
 }
 
 }  // namespace
 
-void check_outputs(const std::vector<std::string>& inputs, const std::vector<Output>& outputs) {
-  std::vector<std::string> files = inputs;
-  for (const Output& output : outputs) {
-    check_output(output);
-    files.push_back(output.path);
+std::vector<NamedFile> files_in(const ConfigNode& config) {
+  std::vector<NamedFile> files;
+  add_files(config, files);
+  return files;
+}
+
+void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  std::map<std::string, std::string> known;
+  for (const NamedFile& input : inputs) {
+    if (input.path.empty()) continue;
+    known.emplace(identity(input.path), text_of(input) + ", which the run reads");
   }
-  for (std::size_t written = inputs.size(); written < files.size(); ++written) {
-    for (std::size_t other = 0; other < written; ++other) {
-      const bool in_place = written == inputs.size() && other == 0;
-      const bool same = same_file(files[written], files[other]);
-      if (in_place || files[written].empty() || !same) continue;
-      throw InputError(
-          fmt::format("'{}' is named twice, by two of the input, --edit, --out, --metrics and "
-                      "--picture; only the input and --out may be one file",
-                      files[written]));
-    }
+  for (const NamedFile& output : outputs) {
+    if (output.path.empty()) continue;
+    const auto [first, is_new] = known.emplace(identity(output.path), text_of(output));
+    if (is_new) continue;
+    throw InputError(fmt::format("{} would replace {}; choose another name or folder for it",
+                                 text_of(output), first->second));
   }
+}
+
+void check_outputs(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  for (const NamedFile& output : outputs) check_output(output);
+  check_distinct(inputs, outputs);
 }
 
 void check_picture_name(const std::string& path) {

@@ -12,6 +12,7 @@
 #include "experiments/measure/measurements.h"
 #include "experiments/subjects/claims.h"
 #include "experiments/subjects/deformer_kind.h"
+#include "experiments/subjects/outputs.h"
 #include "render/image.h"
 #include "solvers/summary.h"
 
@@ -50,6 +51,12 @@ struct CommandLine {
   int nodes = 0;                         ///< graph.nodes, unless a key=value sets it
   int vertices = 0;                      ///< drawing.vertices, unless a key=value sets it
   std::vector<std::string> overrides{};  ///< key=value
+  std::vector<NamedFile> inputs{};       ///< all files that the run reads
+
+  /// The files that the flags name, in the order in which they are written.
+  std::vector<NamedFile> outputs() const {
+    return {{out, "--out"}, {metrics, "--metrics"}, {picture, "--picture"}};
+  }
 };
 
 /// Where a run takes place.

@@ -81,15 +81,6 @@ TEST_F(DeformCommand, WritesAnotherFormat) {
   EXPECT_EQ(shape("out.ply").faces, shape("in.off").faces);
 }
 
-TEST_F(DeformCommand, MayReplaceTheShapeItself) {
-  put("in.off", plane_off());
-  const Shape before = shape("in.off");
-  deform("in.off", kLift, {"--out", "in.off"});
-  const Shape after = shape("in.off");
-  EXPECT_EQ(after.faces, before.faces);
-  EXPECT_GT((after.V - before.V).cwiseAbs().maxCoeff(), 0.2);
-}
-
 TEST_F(DeformCommand, MeasuresWhatItDid) {
   put("in.off", plane_off());
   const Ending ending = deform("in.off", kLift, {"--metrics", "m.json", "graph.nodes=15"});

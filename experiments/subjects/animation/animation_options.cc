@@ -1,6 +1,7 @@
 #include "experiments/subjects/animation/animation_options.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "experiments/subjects/animation/resume_file.h"
 #include "experiments/subjects/outputs.h"
@@ -42,18 +43,22 @@ void check_animation(const RunOptions& options, const RunContext& context) {
 }
 
 void check_files(const CommandLine& c, const FrameFiles& frames, const FramePattern& out) {
-  const FrameNumber first = frames.range().first;
-  check_outputs({frames.pattern().path(first).string(), c.edit},
-                {{out.path(first).string(), "--out"},
-                 {out.text() + kProgressEnding, "--out"},
-                 {c.metrics, "--metrics"},
-                 {c.picture, "--picture"}});
+  const FrameRange range = frames.range();
+  const NamedFile progress{out.text() + kProgressEnding, "--out"};
+  check_outputs({}, {{out.path(range.first).string(), "--out"}, progress});
   for (const auto& [path, flag] :
        {std::pair(c.metrics, "--metrics"), {c.picture, "--picture"}, {c.edit, "--edit"}}) {
     check_no_frame(path, flag, frames.pattern());
     check_no_frame(path, flag, out);
   }
-  check_apart(frames.pattern(), out, frames.range());
+  check_apart(frames.pattern(), out, range);
+  std::vector<NamedFile> inputs = c.inputs, written{progress};
+  for (FrameNumber i = 0; i < range.count(); ++i) {
+    inputs.push_back({frames.pattern().path(range.first + i).string(), "the frame"});
+    written.push_back({out.path(range.first + i).string(), "--out"});
+  }
+  std::ranges::move(c.outputs(), std::back_inserter(written));
+  check_distinct(inputs, written);
 }
 
 std::string name_of_file(const RunContext& context, const std::string& flag) {

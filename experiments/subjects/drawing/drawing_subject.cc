@@ -15,7 +15,6 @@
 #include "experiments/measure/shortfalls.h"
 #include "experiments/subjects/drawing/drawing_pictures.h"
 #include "experiments/subjects/drawing/plane_shortfalls.h"
-#include "experiments/subjects/outputs.h"
 #include "experiments/subjects/run_options.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -170,9 +169,11 @@ class DrawingSubject : public Subject {
       throw InputError("output.steps is true, but only deformer=arap_2d has steps");
     }
     const CommandLine& c = *context_.command;
-    check_outputs({"", c.input, c.edit, c.out, c.metrics, c.picture},
-                  {{step_path(c.out, "intermediate"), "output.steps"},
-                   {step_path(c.out, "fitted"), "output.steps"}});
+    std::vector<NamedFile> outputs = c.outputs();
+    for (const char* step : {"intermediate", "fitted"}) {
+      outputs.push_back({step_path(c.out, step), "output.steps"});
+    }
+    check_outputs(c.inputs, outputs);
   }
 
   // Binds the drawing to its mesh only if it is needed, because this takes time.
