@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <limits>
 #include <map>
 
 #include "deformers/embedded/handles/handle_groups.h"
+#include "deformers/embedded/handles/line_turn.h"
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/graph_vertices.h"
@@ -16,9 +15,6 @@
 namespace deformlab {
 namespace {
 
-// Handles off a line by less than this share of its length hardly hold the roll about it: if one is
-// moved by some of its distance to the line, the shape rolls by as many tens of degrees.
-constexpr double kNearLine = 0.1;
 constexpr double kSame = 1e-6;  // a node this near to a vertex sits on it [diagonal of the shape]
 
 EmbeddedDeformation on_vertices(const Shape& pose, EmbeddedDeformationOptions options) {
@@ -49,23 +45,6 @@ std::vector<int> vertices_at(const Eigen::Matrix3Xd& g, const Eigen::Matrix3Xd& 
         j + 1, away, vertices[static_cast<std::size_t>(j)]));
   }
   return vertices;
-}
-
-Eigen::Vector3d direction(const Eigen::Matrix3Xd& arms) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(arms * arms.transpose())
-      .eigenvectors()
-      .col(2);
-}
-
-// The rotation vector of the shortest turn that takes the line through points near p to that
-// through q.
-Eigen::Vector3d shortest_turn(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& q) {
-  const Eigen::Matrix3Xd from = p.colwise() - p.rowwise().mean();
-  const Eigen::Matrix3Xd to = q.colwise() - q.rowwise().mean();
-  const Eigen::Vector3d before = direction(from), after = direction(to);
-  const double sign = (before.transpose() * from).dot(after.transpose() * to) < 0 ? -1 : 1;
-  const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(before, sign * after));
-  return turn.angle() * turn.axis();
 }
 
 }  // namespace
@@ -121,9 +100,9 @@ Eigen::Matrix3Xd AnimatedDeformation::with_lines(const Eigen::Matrix3Xd& rotatio
     result.setConstant(3, rest.cols(), std::numeric_limits<double>::quiet_NaN());
   }
   for (const std::vector<int>& line : lines_) {
-    const Eigen::Vector3d turn = shortest_turn(rest(Eigen::all, line), targets(Eigen::all, line));
+    const auto turn = shortest_turn(rest(Eigen::all, line), targets(Eigen::all, line));
     for (const int l : line) {
-      if (result.col(l).hasNaN()) result.col(l) = turn;
+      if (turn && result.col(l).hasNaN()) result.col(l) = *turn;
     }
   }
   return result;

@@ -79,6 +79,7 @@ class EmbeddedDeformation final : public Deformer {
   void translate_pinned(const Eigen::Matrix3Xd& targets);
   void begin(const Eigen::Matrix3Xd& targets);
   bool begin_harmonic(const Eigen::Matrix3Xd& targets);
+  Eigen::Matrix3Xd start_rotations(const Eigen::Matrix3Xd& targets) const;
   void set_constraint_weight(double weight);
   void relax(const Eigen::Matrix3Xd& targets, Report& report);
   void measure(const Transformations& X, const Eigen::Matrix3Xd& targets, Report& report) const;
@@ -112,6 +113,7 @@ class EmbeddedDeformation final : public Deformer {
   double unit_ = 1;
   Problem problem_;
   std::vector<PointPin> at_one_point_;
+  std::vector<std::vector<int>> on_one_line_;  // as in Pins
   std::unique_ptr<Solver> solver_;
   std::map<std::string, double> seconds_;
   std::vector<std::string> registration_notes_, compilation_notes_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "deformers/embedded/embedded_deformation.h"
+#include "deformers/embedded/handles/line_turn.h"
 #include "deformers/embedded/harmonic_start.h"
 #include "deformers/embedded/node_states.h"
 #include "energies/graph/constraint.h"
@@ -29,17 +30,27 @@ void EmbeddedDeformation::begin(const Eigen::Matrix3Xd& targets) {
   translate_pinned(targets);
 }
 
+// The rotation vectors of all handles, NaN where nothing is known.
+Eigen::Matrix3Xd EmbeddedDeformation::start_rotations(const Eigen::Matrix3Xd& targets) const {
+  Eigen::Matrix3Xd rotations = Eigen::Matrix3Xd::Zero(3, handles_.v.cols());
+  rotations.leftCols(moved_) =
+      handle_rotations(handles_.v.leftCols(moved_), targets.leftCols(moved_), rotations_, groups_);
+  rotations.rightCols(satellites_.count()) = rotations(Eigen::all, satellites_.handles).eval();
+  for (const std::vector<int>& line : on_one_line_) {
+    const auto turn = shortest_turn(handles_.v(Eigen::all, line), targets(Eigen::all, line));
+    for (const int l : line) {  // what is not moved is held, but may turn
+      if (turn && (l >= moved_ || rotations.col(l).hasNaN())) rotations.col(l) = *turn;
+    }
+  }
+  if (options_.dimension == 2) rotations.topRows(2) *= 0;  // what is unknown stays NaN
+  return rotations;
+}
+
 bool EmbeddedDeformation::begin_harmonic(const Eigen::Matrix3Xd& targets) {
   const double w_reg = weight_of<Regularization<>>(problem_);
   const double w_con = weight_of<Constraint<>>(problem_);
   if (!(w_reg > 0 && w_con > 0)) return false;
-  const Eigen::Index border = handles_.v.cols() - moved_;
-  Eigen::Matrix3Xd rotations = Eigen::Matrix3Xd::Zero(3, handles_.v.cols());
-  rotations.leftCols(moved_) =
-      handle_rotations(handles_.v.leftCols(moved_), targets.leftCols(moved_), rotations_, groups_);
-  rotations.rightCols(border).setZero();
-  rotations.rightCols(satellites_.count()) = rotations(Eigen::all, satellites_.handles).eval();
-  if (options_.dimension == 2) rotations.topRows(2) *= 0;  // what is unknown stays NaN
+  const Eigen::Matrix3Xd rotations = start_rotations(targets);
   const auto X =
       harmonic_start({graph_, handles_, problem_.fixed, w_reg, w_con}, rotations, targets);
   if (!X) return false;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "deformers/embedded/handles/handle_groups.h"
+#include "deformers/embedded/handles/line_turn.h"
 #include "deformers/embedded/node_states.h"
 
 namespace deformlab {
@@ -29,17 +30,15 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& omega) {
   return Eigen::AngleAxisd(angle, omega / angle).toRotationMatrix();
 }
 
-// The rotation that takes the points p nearest to q, or nothing where they lie on a line.
-std::optional<Eigen::Matrix3d> fitted_rotation(const Eigen::Matrix3Xd& p,
-                                               const Eigen::Matrix3Xd& q) {
-  if (!spans_a_plane(p) || !spans_a_plane(q)) return std::nullopt;
+// The rotation vector that takes the points p nearest to q.
+Eigen::Vector3d fitted_rotation(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& q) {
   const auto from = p.colwise() - p.rowwise().mean(), to = q.colwise() - q.rowwise().mean();
-  return nearest_rotation(to * from.transpose());
+  return rotation_vector(nearest_rotation(to * from.transpose()));
 }
 
-bool is_same_motion(const Eigen::Matrix3d& R, const Eigen::Vector3d& asked) {
+bool is_same_motion(const Eigen::Vector3d& fitted, const Eigen::Vector3d& asked) {
   return asked.allFinite() &&
-         Eigen::AngleAxisd(R.transpose() * rotation_of(asked)).angle() < kAgrees;
+         Eigen::AngleAxisd(rotation_of(fitted).transpose() * rotation_of(asked)).angle() < kAgrees;
 }
 
 // The free nodes of a linear problem, numbered.
@@ -199,10 +198,13 @@ Eigen::Matrix3Xd handle_rotations(const Eigen::Matrix3Xd& v, const Eigen::Matrix
   Eigen::Matrix3Xd result =
       asked.cols() == v.cols() ? asked : Eigen::Matrix3Xd::Constant(3, v.cols(), kNaN);
   for (const std::vector<int>& handles : handle_groups(v.cols(), groups)) {
-    const auto R = fitted_rotation(v(Eigen::all, handles), q(Eigen::all, handles));
-    if (!R) continue;
+    const Eigen::Matrix3Xd from = v(Eigen::all, handles), to = q(Eigen::all, handles);
+    const bool shows_all = spans_a_plane(from) && spans_a_plane(to);
+    const auto turn = shows_all ? fitted_rotation(from, to) : shortest_turn(from, to);
     for (const int l : handles) {
-      if (!is_same_motion(*R, result.col(l))) result.col(l) = rotation_vector(*R);
+      const bool is_told =
+          shows_all ? is_same_motion(*turn, result.col(l)) : result.col(l).allFinite();
+      if (turn && !is_told) result.col(l) = *turn;
     }
   }
   return result;

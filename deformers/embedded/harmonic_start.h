@@ -13,7 +13,8 @@ namespace deformlab {
 
 /// The rotation vector of each handle (3×#handles) [rad], or NaN where nothing is known. Handles of
 /// one group that span a plane or more show their rotation by where they go, up to full turns. What
-/// was asked then tells the number of turns. For other handles, what was asked counts.
+/// was asked then tells the number of turns. For other handles, what was asked counts; where
+/// nothing was, handles on a line take the shortest turn, because they do not show a roll about it.
 ///   v, q    3×#handles, the handles at rest and their targets [length]
 ///   asked   3×#handles or 3×0, as in Handles::rotations
 ///   groups  as in Handles::groups

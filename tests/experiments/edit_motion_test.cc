@@ -120,6 +120,18 @@ TEST(EditMotion, ReadsTargetsOfAFile) {
   EXPECT_THAT(edit.handles.groups, ElementsAre(2, 4, 3)) << "each moves by itself";
 }
 
+TEST(EditMotion, TargetsOfOneRigidMotionMoveTogether) {
+  const auto groups_of = [](const std::string& targets) {
+    put_temporary("t.csv", targets);
+    return resolved("- {targets: t.csv}").handles.groups;
+  };
+  const std::string two_places = "0 0 0  5 5 5\n1 0 0  5 6 5\n";
+  EXPECT_THAT(groups_of(two_places + "0 1 0  4 5 5\n"), ElementsAre(1, 1, 1));
+  EXPECT_THAT(groups_of(two_places + "2 0 0  5 7 5\n"), ElementsAre(1, 1, 1)) << "a line";
+  EXPECT_THAT(groups_of(two_places + "0 1 0  4 5.1 5\n"), ElementsAre(1, 2, 3)) << "sheared";
+  EXPECT_THAT(groups_of(two_places), ElementsAre(1, 2)) << "any two places do";
+}
+
 TEST(EditMotion, RefusesFilesThatAreNoTargets) {
   const auto refused = [](const std::string& text) {
     put_temporary("bad.csv", text);

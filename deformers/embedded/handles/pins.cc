@@ -5,6 +5,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "deformers/embedded/handles/handle_groups.h"
+#include "deformers/embedded/handles/line_turn.h"
+
 namespace deformlab {
 namespace {
 
@@ -89,12 +92,18 @@ Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles
       free.push_back(component);
       continue;
     }
-    const int rank = affine_rank(handles.v(Eigen::all, component.handles), extent);
-    if (rank == 0) pins.at_one_point.push_back({component.nodes, component.handles});
+    const Eigen::Matrix3Xd places = handles.v(Eigen::all, component.handles);
+    const int rank = affine_rank(places, extent);
+    if (rank == 0) {
+      pins.at_one_point.push_back({component.nodes, component.handles});
+    } else if (!spans_a_plane(places, kNearLine)) {
+      pins.on_one_line.push_back(component.handles);
+    }
     if (rank < 2) {
-      pins.notes.push_back(fmt::format("{} is pinned {} only: it may turn about it freely",
-                                       name(component),
-                                       rank == 0 ? "at one point" : "on one line"));
+      pins.notes.push_back(
+          fmt::format("{} is pinned {} only, so that nothing tells how it turns about it; give "
+                      "'rotate', or a handle beside it",
+                      name(component), rank == 0 ? "at one point" : "on one line"));
     }
   }
   for (const Component& component : free) {

@@ -17,6 +17,9 @@ struct PointPin {
 /// The result of pin_free_components.
 struct Pins {
   std::vector<PointPin> at_one_point;
+  /// The handles of each component whose handles lie nearly on a line (kNearLine) and that has no
+  /// fixed node.
+  std::vector<std::vector<int>> on_one_line;
   std::vector<std::string> notes;  ///< what a user should know, one sentence each
 };
 

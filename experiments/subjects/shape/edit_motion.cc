@@ -8,7 +8,8 @@
 namespace deformlab {
 namespace {
 
-constexpr double kFlat = 1e-6;  // singular values relative to the first: the points lie on a line
+constexpr double kRigid = 0.01;  // relative to the extent of the points
+constexpr double kFlat = 1e-6;   // singular values relative to the first: the points lie on a line
 
 template <class T>
 T mixed(const T& from, const T& to, double share) {
@@ -112,6 +113,16 @@ Eigen::Vector3d offset_between(const Pose& from, const Pose& to, double share) {
 Eigen::Vector3d rotation_between(const Motion& from, const Motion& to, double share) {
   if (from.turn.hasNaN() && to.turn.hasNaN()) return from.turn;
   return mixed<Eigen::Vector3d>(known(from.turn), known(to.turn), share);
+}
+
+bool is_rigid_motion(const Eigen::Matrix3Xd& P, const Eigen::Matrix3Xd& Q) {
+  if (P.cols() < 3) return false;
+  const Eigen::Matrix3Xd from = P.colwise() - P.rowwise().mean(),
+                         to = Q.colwise() - Q.rowwise().mean();
+  const double extent = from.colwise().norm().maxCoeff();
+  const Eigen::Matrix4d motion = Eigen::umeyama(from, to, false);
+  const Eigen::Matrix3Xd off = motion.topLeftCorner<3, 3>() * from - to;
+  return extent > 0 && off.colwise().norm().maxCoeff() <= kRigid * extent;
 }
 
 }  // namespace deformlab

@@ -13,6 +13,10 @@ Motion motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P);
 /// Whether the motion neither rotates nor changes the size.
 bool is_translation(const Motion& motion);
 
+/// Whether three or more points P (3×#) go to Q (3×#) [length] by one rotation and translation, up
+/// to a hundredth of their extent.
+bool is_rigid_motion(const Eigen::Matrix3Xd& P, const Eigen::Matrix3Xd& Q);
+
 /// A handle on its way: where it is at rest, how far it is from there, and by which motion.
 struct Pose {
   Eigen::Vector3d rest, offset;  ///< [length]

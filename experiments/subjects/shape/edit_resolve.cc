@@ -82,21 +82,31 @@ class Resolver {
     if (entry.rotate) add_ring(p, e);
   }
 
-  // Nothing says that these handles move together, so that each is a group.
+  // Nothing says that these handles move together but where they go: each is a group, unless all
+  // take part in one rigid motion.
   void add_listed(int e) {
-    for (const ListedTarget& listed : entries_[e].listed) {
-      const int group = static_cast<int>(motions_.size());
-      const bool is_point = listed.vertex < 0;
-      const Target target{listed.target, group, e, listed.line};
-      if (!is_point) check_exists(listed.vertex, shape_, where(target));
-      const Eigen::Vector3d rest = is_point ? listed.place : shape_.V.col(listed.vertex);
+    const std::vector<ListedTarget>& listed = entries_[e].listed;
+    const int first_group = static_cast<int>(motions_.size());
+    const auto target_of = [&](const ListedTarget& l, int group) {
+      return Target{l.target, group, e, l.line};
+    };
+    for (const ListedTarget& l : listed) {
+      if (l.vertex >= 0) check_exists(l.vertex, shape_, where(target_of(l, 0)));
+    }
+    const auto rest_of = [&](const ListedTarget& l) {
+      return l.vertex < 0 ? l.place : shape_.V.col(l.vertex).eval();
+    };
+    const bool as_one =
+        is_rigid_motion(matrix(listed, rest_of), matrix(listed, &ListedTarget::target));
+    for (const ListedTarget& l : listed) {
       EditEntry entry;
-      entry.to = listed.target;
-      motions_.push_back(motion_of(entry, rest));
-      if (is_point) {
-        put_point(rest, target);
+      entry.to = l.target;
+      motions_.push_back(motion_of(entry, rest_of(l)));
+      const int group = as_one ? first_group : static_cast<int>(motions_.size()) - 1;
+      if (l.vertex < 0) {
+        put_point(l.place, target_of(l, group));
       } else {
-        move(listed.vertex, target);
+        move(l.vertex, target_of(l, group));
       }
     }
   }
