@@ -5,6 +5,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 #include <utility>
@@ -108,9 +109,12 @@ std::string read_text(const std::filesystem::path& path) {
   check_readable(path, true);
   std::ifstream file(path, std::ios::binary);
   if (!file) cannot_read(path, "permission denied");
-  std::string text(kMaxConfigBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::string text;
+  std::array<char, 1 << 16> part;
+  while (file && text.size() <= kMaxConfigBytes) {
+    file.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) cannot_read(path, "reading failed");
   if (text.size() > kMaxConfigBytes) cannot_read(path, "larger than 32 MiB");
   return text;
