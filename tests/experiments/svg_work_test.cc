@@ -26,12 +26,35 @@ TEST_F(SvgWork, OfNestedUsesIsBounded) {
   expect_too_much("<defs>" + text + "</defs><use xlink:href=\"#a29\"/>", "objects");
 }
 
-TEST_F(SvgWork, OfMarkersIsBounded) {
+/// A path of 20,000 corners, and the marker m.
+std::string long_path(const std::string& attributes) {
   std::string path = "M10 10";
-  for (int i = 0; i < 60'000; ++i) path += " L" + std::to_string(i % 99) + " 5";
-  const std::string marker =
-      R"(<marker id="m" markerWidth="5" markerHeight="5"><path d="M0 0h3v3z"/></marker>)";
-  expect_too_much(marker + "<path marker-mid=\"url(#m)\" d=\"" + path + "\"/>", "objects");
+  for (int i = 0; i < 10'000; ++i) path += "h" + std::to_string(i % 2 == 0 ? 9 : -9) + "v.1";
+  return R"(<marker id="m" markerWidth="5" markerHeight="5"><path d="M0 0h3v3z"/></marker>)"
+         "<path id=\"p\" " +
+         attributes + " d=\"" + path + "\"/>";
+}
+
+TEST_F(SvgWork, OfMarkersIsBounded) {
+  const std::string path = long_path("");
+  expect_too_much(long_path("marker-mid=\"url(#m)\""), "objects");
+  expect_too_much(long_path("style=\"marker:url('#m')\""), "objects");
+  expect_too_much("<style>path{marker-mid:url(#m)}</style>" + path, "objects");
+  expect_too_much("<style>#p:nth-child(2){marker-mid:url(#m)}</style>" + path, "objects");
+  expect_too_much("<style>@media all{path{marker-mid:url(#m)}}</style>" + path, "objects");
+  expect_too_much("<style>.a{marker:url(#m)}</style><g class=\"a\">" + path + "</g>", "objects");
+  expect_too_much("<defs>" + path + "</defs><g marker-mid=\"url(#m)\"><use href=\"#p\"/></g>",
+                  "objects");
+}
+
+TEST_F(SvgWork, OfMarkersThatAreNotDrawnIsNotCounted) {
+  put("bend.yaml", "edit:\n  - {select: {point: [12, 12]}, fix: true}\n");
+  for (const std::string sheet :
+       {"path{marker-start:url(#m);marker-end:url(#m)}", "g{marker-mid:url(#m)}",
+        "path{marker-mid:url(#m)}path{marker-mid:none}", ".other{marker:url(#m)}"}) {
+    put("a.svg", kBegin + "<style>" + sheet + "</style>" + long_path("") + "</svg>");
+    expect_success({"deform", "a.svg", "--edit", "bend.yaml", "--out", "o.png"});
+  }
 }
 
 TEST_F(SvgWork, OfGradientsIsBounded) {
