@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <random>
 
 #include "energies/term_energy.h"
@@ -52,4 +53,5 @@ int main() {
                name_of(method), summary.final_cost, summary.iterations.size(), summary.initial_cost,
                p[0], p[1], p[2]);
   }
+  return std::fflush(stdout) == 0 ? 0 : 1;
 }

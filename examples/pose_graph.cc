@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <random>
 
@@ -81,4 +82,5 @@ int main() {
                name_of(method), summary.final_cost, summary.iterations.size(), summary.initial_cost,
                (problem.x.X - truth).rightCols<1>().head<2>().norm());
   }
+  return std::fflush(stdout) == 0 ? 0 : 1;
 }

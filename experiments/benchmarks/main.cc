@@ -10,6 +10,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -21,6 +22,7 @@
 #include "experiments/benchmarks/scaling.h"
 #include "experiments/benchmarks/scenarios.h"
 #include "experiments/commands/environment.h"
+#include "experiments/commands/standard_streams.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
 
@@ -85,9 +87,9 @@ std::vector<Measurement> measure_scenarios(bool filtered) {
       all.push_back(measure(scenario, size, FLAGS_repetitions));
       const Measurement& m = all.back();
       const Spread ratio = m.ratio();
-      fmt::print("{}, against {}, {} {}: {:.3g} times as fast ({:.3g} to {:.3g})\n", m.scenario,
-                 m.against, m.size, m.unit, ratio.median, ratio.least, ratio.most);
-      std::fflush(stdout);
+      print_out(fmt::format("{}, against {}, {} {}: {:.3g} times as fast ({:.3g} to {:.3g})\n",
+                            m.scenario, m.against, m.size, m.unit, ratio.median, ratio.least,
+                            ratio.most));
     }
   }
   if (all.empty() && FLAGS_scenarios != "auto" && FLAGS_scenarios != "none") {
@@ -144,13 +146,14 @@ std::string report(const std::string& comparisons, const std::string& growth,
 
 void print_help() {
   benchmark::PrintDefaultHelp();
+  std::fflush(stdout);  // if this fails, so does what follows
   std::vector<gflags::CommandLineFlagInfo> flags;
   gflags::GetAllFlags(&flags);
-  std::cout << "\nFlags of deformlab_bench itself:\n";
+  print_out("\nFlags of deformlab_bench itself:\n");
   for (const auto& flag : flags) {
     if (!flag.filename.ends_with("benchmarks/main.cc")) continue;
-    std::cout << fmt::format("  --{}={}\n      {}\n", flag.name, flag.default_value,
-                             flag.description);
+    print_out(
+        fmt::format("  --{}={}\n      {}\n", flag.name, flag.default_value, flag.description));
   }
 }
 
@@ -159,7 +162,7 @@ int run(bool filtered) {
   if (FLAGS_repetitions < 1) {
     throw InputError(fmt::format("--repetitions: {} is not at least 1", FLAGS_repetitions));
   }
-  std::cout << environment_markdown() << "\n" << std::flush;
+  print_out(environment_markdown() + "\n");
   GrowthReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
 
@@ -175,7 +178,7 @@ int run(bool filtered) {
     growth = to_markdown(measured.growing, measured.large);
   }
   const std::string text = report(comparisons, growth, filtered ? "" : reporter.to_markdown());
-  std::cout << "\n" << text << std::flush;
+  print_out("\n" + text);
 
   std::filesystem::path folder = FLAGS_out;
   if (FLAGS_out == "auto") folder = everything && !growth.empty() ? "results" : "";
@@ -187,22 +190,27 @@ int run(bool filtered) {
   return 0;
 }
 
+int run_command_line(int argc, char** argv) {
+  OutBuffer out;
+  std::streambuf* const usual = std::cout.rdbuf(&out);  // Google Benchmark writes to it
+  std::cout.exceptions(std::ios::badbit);
+  const auto restore = [usual](void*) { std::cout.rdbuf(usual); };
+  const std::unique_ptr<void, decltype(restore)> at_end(&out, restore);
+  bool filtered = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    filtered = filtered || argument.starts_with("--benchmark_filter") ||
+               argument.starts_with("--benchmark_list");
+  }
+  benchmark::Initialize(&argc, argv, print_help);
+  gflags::ParseCommandLineFlags(&argc, &argv, true);
+  return run(filtered);
+}
+
 }  // namespace
 }  // namespace deformlab
 
 int main(int argc, char** argv) {
-  try {
-    bool filtered = false;
-    for (int i = 1; i < argc; ++i) {
-      const std::string_view argument = argv[i];
-      filtered = filtered || argument.starts_with("--benchmark_filter") ||
-                 argument.starts_with("--benchmark_list");
-    }
-    benchmark::Initialize(&argc, argv, deformlab::print_help);
-    gflags::ParseCommandLineFlags(&argc, &argv, true);
-    return deformlab::run(filtered);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "deformlab_bench: %s\n", error.what());
-    return 1;
-  }
+  return deformlab::run_program("deformlab_bench",
+                                [&] { return deformlab::run_command_line(argc, argv); });
 }

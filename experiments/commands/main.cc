@@ -3,9 +3,6 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <csignal>
-#include <cstdio>
-#include <exception>
 
 #include "experiments/commands/commands.h"
 #include "experiments/commands/standard_streams.h"
@@ -109,34 +106,24 @@ bool asks_for(const std::string& word, int argc, char** argv) {
   });
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  open_standard_streams();
+int run_command_line(int argc, char** argv) {
   // By default only warnings are shown, without the prefix that a log file needs.
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_WARNING;
   FLAGS_log_prefix = false;
   google::InitGoogleLogging("deformlab");
-  try {
-    if (argc < 2 || asks_for("help", argc, argv) || asks_for("h", argc, argv)) {
-      return dispatch("help", {});
-    }
-    if (asks_for("version", argc, argv)) return dispatch("version", {});
-    const std::vector<std::string> arguments = parse_flags(argc, argv);
-    if (arguments.empty())
-      throw InputError(fmt::format("no command; {}", known_names("", kCommands)));
-    return dispatch(arguments.front(), {arguments.begin() + 1, arguments.end()});
-  } catch (const BrokenPipe&) {
-    return 128 + SIGPIPE;  // as shells report a program that a broken pipe has ended
-  } catch (const InputError& e) {
-    std::fprintf(stderr, "deformlab: %s\n", e.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "deformlab: out of memory: use fewer nodes or a smaller shape\n");
-    return 4;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "deformlab: %s\n", e.what());
-    return 4;
+  if (argc < 2 || asks_for("help", argc, argv) || asks_for("h", argc, argv)) {
+    return dispatch("help", {});
   }
+  if (asks_for("version", argc, argv)) return dispatch("version", {});
+  const std::vector<std::string> arguments = parse_flags(argc, argv);
+  if (arguments.empty())
+    throw InputError(fmt::format("no command; {}", known_names("", kCommands)));
+  return dispatch(arguments.front(), {arguments.begin() + 1, arguments.end()});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("deformlab", [&] { return run_command_line(argc, argv); });
 }

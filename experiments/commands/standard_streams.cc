@@ -6,7 +6,10 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <new>
 #include <system_error>
 
 #include "geometry/core/error.h"
@@ -29,6 +32,35 @@ void print_out(std::string_view text) {
   if (error == 0) return;
   throw InputError(fmt::format("cannot write to the standard output: {}",
                                std::generic_category().message(error)));
+}
+
+OutBuffer::int_type OutBuffer::overflow(int_type c) {
+  const char text = traits_type::to_char_type(c);
+  if (!traits_type::eq_int_type(c, traits_type::eof())) print_out({&text, 1});
+  return traits_type::not_eof(c);
+}
+
+std::streamsize OutBuffer::xsputn(const char* text, std::streamsize size) {
+  print_out({text, static_cast<std::size_t>(size)});
+  return size;
+}
+
+int run_program(const char* name, const std::function<int()>& action) {
+  open_standard_streams();
+  try {
+    return action();
+  } catch (const BrokenPipe&) {
+    return 128 + SIGPIPE;  // as shells report a program that a broken pipe has ended
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "%s: %s\n", name, e.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: out of memory: use fewer nodes or a smaller shape\n", name);
+    return 4;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s: %s\n", name, e.what());
+    return 4;
+  }
 }
 
 }  // namespace deformlab

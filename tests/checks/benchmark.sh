@@ -47,3 +47,17 @@ if "$program" --benchmark_filter=nothing --scenarios=nonsense >"$folder/log" 2>&
   ! grep -q 'nonsense' "$folder/log"; then
   echo "an unknown scenario was accepted" && exit 1
 fi
+
+# The standard output is full, closed, or read by nobody.
+list=(--benchmark_list_tests --scenarios=none --scaling=no)
+status=0
+"$program" "${list[@]}" >/dev/full 2>"$folder/log" || status=$?
+if ((status != 2)) || ! grep -q 'standard output: No space left on device' "$folder/log"; then
+  echo "a full standard output was no error (status $status)" && cat "$folder/log" && exit 1
+fi
+"$program" "${list[@]}" <&- >&- 2>&- || { echo "closed streams were an error" && exit 1; }
+status=0
+{ sleep 0.2 && "$program" "${list[@]}" 2>"$folder/log"; } | true || status=$?
+if ((status != 141)) || [[ -s $folder/log ]]; then
+  echo "a broken pipe gave the status $status and a message" && cat "$folder/log" && exit 1
+fi

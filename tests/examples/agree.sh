@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # agree.sh PROGRAM: runs an example and checks that it prints one cost for Gauss-Newton and one for
-# Ceres, that both have decreased, and that they agree to nine digits.
+# Ceres, that both have decreased, and that they agree to nine digits. It also has to fail where its
+# output cannot be written.
 set -euo pipefail
 
+if "$1" >/dev/full; then echo "a full standard output was no error" && exit 1; fi
 output=$("$1")
 echo "$output"
 awk '
