@@ -54,10 +54,7 @@ bool MeshComponent::contains(int vertex) const {
 
 std::vector<MeshComponent> components(const Triangulation& mesh) {
   DisjointSets sets(mesh.V.cols());
-  for (const auto corners : mesh.F.colwise()) {
-    sets.join(corners[0], corners[1]);
-    sets.join(corners[0], corners[2]);
-  }
+  sets.join_corners(mesh.F);
   const std::vector<int> number = sets.numbered();
   std::vector<MeshComponent> result(number.empty() ? 0 : 1 + std::ranges::max(number));
   for (int v = 0; v < mesh.V.cols(); ++v) result[number[v]].vertices.push_back(v);

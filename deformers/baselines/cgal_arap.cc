@@ -157,10 +157,7 @@ void CgalArap::compile_handles() {
 // The handles and all vertices of components without a handle, which could move at no cost.
 std::vector<int> CgalArap::control_vertices() {
   DisjointSets sets(V_.cols());
-  for (const auto t : T_.colwise()) {
-    sets.join(t[0], t[1]);
-    sets.join(t[0], t[2]);
-  }
+  sets.join_corners(T_);
   const std::vector<int> component = sets.numbered();
   std::vector<char> is_handle(V_.cols(), 0), has_handle(1 + std::ranges::max(component), 0);
   for (const auto* vertices : {&handles_.fixed, &handles_.moved}) {

@@ -30,6 +30,14 @@ class DisjointSets {
     return low != high;
   }
 
+  /// Makes one set of the corners of each triangle (3×#).
+  void join_corners(const Eigen::Ref<const Eigen::Matrix3Xi>& triangles) {
+    for (const auto t : triangles.colwise()) {
+      join(t[0], t[1]);
+      join(t[0], t[2]);
+    }
+  }
+
   /// The number of each element's set; sets are numbered from 0 in the order of their roots.
   std::vector<int> numbered() {
     std::vector<int> number(parent_.size());

@@ -52,10 +52,7 @@ Eigen::Matrix3Xi WeldedSurface::welded_triangles() const {
 
 std::vector<int> WeldedSurface::parts(const Eigen::Matrix3Xi& T) const {
   DisjointSets sets(shape_.V.cols());
-  for (const auto t : T.colwise()) {
-    sets.join(t[0], t[1]);
-    sets.join(t[1], t[2]);
-  }
+  sets.join_corners(T);
   for (std::size_t i = 0; i < first().size(); ++i) sets.join(static_cast<int>(i), first()[i]);
   return sets.numbered();
 }

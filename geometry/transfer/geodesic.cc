@@ -96,11 +96,7 @@ double distance_of(const NearestSources& nearest, Eigen::Index vertex, int sourc
 
 std::vector<int> connected_parts(const Shape& shape) {
   DisjointSets sets(shape.V.cols());
-  const Eigen::Matrix3Xi T = triangles(shape);
-  for (const auto t : T.colwise()) {
-    sets.join(t[0], t[1]);
-    sets.join(t[1], t[2]);
-  }
+  sets.join_corners(triangles(shape));
   return sets.numbered();
 }
 
