@@ -96,6 +96,10 @@ class Binding::Blender {
 
 Binding::Binding(const Triangulation& rest, const Locator& locator, const Eigen::Matrix2Xd& points,
                  double crisp)
+    : Binding(rest, locator, points, points, crisp) {}
+
+Binding::Binding(const Triangulation& rest, const Locator& locator, const Eigen::Matrix2Xd& points,
+                 const Eigen::Matrix2Xd& places, double crisp)
     : corners_(3, points.cols()),
       triangle_(points.cols()),
       b_(3, points.cols()),
@@ -104,7 +108,7 @@ Binding::Binding(const Triangulation& rest, const Locator& locator, const Eigen:
   Blender blender(rest, locator, motions_, crisp);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector2d point = points.col(i);
-    const Located place = locator(point);
+    const Located place = locator(places.col(i));
     triangle_[i] = place.triangle;
     outside_[i] = place.distance;
     corners_.col(i) = rest.F.col(place.triangle);

@@ -24,6 +24,10 @@ class Binding {
   /// value stands for an eighth of an edge.
   Binding(const Triangulation& rest, const Locator& locator, const Eigen::Matrix2Xd& points,
           double crisp = -1);
+  /// The same, but each point follows what is nearest to the place with its number (2×n), as if the
+  /// triangle there went on to the point.
+  Binding(const Triangulation& rest, const Locator& locator, const Eigen::Matrix2Xd& points,
+          const Eigen::Matrix2Xd& places, double crisp = -1);
 
   /// The positions of the points (2×n) when the vertices are at V (2×#V).
   Eigen::Matrix2Xd operator()(const Eigen::Matrix2Xd& V) const;

@@ -34,7 +34,7 @@ BoundDrawing::BoundDrawing(Drawing drawing, Triangulation rest, std::vector<Tria
     : drawing_(std::move(drawing)),
       rest_(std::move(rest)),
       parts_(rest_, std::move(parts)),
-      paths_(drawing_.paths, parts_.all(), Locator(parts_.all())) {
+      paths_(drawing_.paths, parts_.all(), Locator(parts_.all()), drawing_.cuts) {
   if (drawing_.bitmap)
     texture_.emplace(*drawing_.bitmap, in_pixels(parts_.all(), drawing_.page, 1));
 }
@@ -43,8 +43,8 @@ std::vector<VectorPath> BoundDrawing::paths(const Eigen::Matrix2Xd& V,
                                             const Eigen::VectorXd& depth) const {
   const Triangulation& all = parts_.all();
   const Locator locator(all);
-  return BoundPaths(in_layers(drawing_.paths, all, locator, parts_.depths(depth)), all,
-                    locator)(parts_(V));
+  return BoundPaths(in_layers(drawing_.paths, all, locator, parts_.depths(depth)), all, locator,
+                    drawing_.cuts)(parts_(V));
 }
 
 Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "drawing/cut_sides.h"
+
 namespace deformlab {
 namespace {
 
@@ -37,8 +39,11 @@ Eigen::Matrix2Xd outline_points(const VectorPath& path) {
 }  // namespace
 
 BoundPaths::BoundPaths(std::vector<VectorPath> paths, const Triangulation& rest,
-                       const Locator& locator)
-    : rest_(std::move(paths)), points_(rest, locator, all_points(rest_)) {}
+                       const Locator& locator, const CutLines& cuts)
+    : rest_(std::move(paths)) {
+  const Eigen::Matrix2Xd points = all_points(rest_);
+  points_ = Binding(rest, locator, points, places_beside(cuts, points, rest, locator));
+}
 
 std::vector<VectorPath> BoundPaths::operator()(const Eigen::Matrix2Xd& V) const {
   const Eigen::Matrix2Xd moved = points_(V);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "drawing/binding.h"
+#include "drawing/bitmap/cut_lines.h"
 #include "drawing/vector/vector_path.h"
 
 namespace deformlab {
@@ -13,7 +14,9 @@ namespace deformlab {
 /// keep their widths and lengths.
 class BoundPaths {
  public:
-  BoundPaths(std::vector<VectorPath> paths, const Triangulation& rest, const Locator& locator);
+  /// Points on the cuts follow what lies on their own side (places_beside).
+  BoundPaths(std::vector<VectorPath> paths, const Triangulation& rest, const Locator& locator,
+             const CutLines& cuts = {});
 
   const std::vector<VectorPath>& rest() const { return rest_; }
   std::vector<VectorPath> operator()(const Eigen::Matrix2Xd& V) const;

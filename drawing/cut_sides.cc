@@ -1,19 +1,18 @@
 #include "drawing/cut_sides.h"
 
-#include <limits>
-
 namespace deformlab {
 namespace {
 
-/// The way to a point from the nearest place on the lines.
-Eigen::Vector2d way_from(const CutLines& lines, const Eigen::Vector2d& point) {
-  Eigen::Vector2d nearest = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+/// The direction away from all segments of the lines that are nearer to a point than `near`; zero
+/// if none is. Where segments meet, it points into the middle of the corner.
+Eigen::Vector2d way_from(const CutLines& lines, const Eigen::Vector2d& point, double near) {
+  Eigen::Vector2d sum(0, 0);
   for (const Eigen::Matrix2Xd& line : lines)
     for (Eigen::Index i = 0; i + 1 < line.cols(); ++i) {
       const Eigen::Vector2d way = way_from_segment(line.col(i), line.col(i + 1), point);
-      if (way.squaredNorm() < nearest.squaredNorm()) nearest = way;
+      if (way.norm() < near) sum += way.normalized();
     }
-  return nearest;
+  return sum.normalized();
 }
 
 }  // namespace
@@ -25,11 +24,12 @@ Eigen::Matrix2Xd places_beside(const CutLines& cuts, const Eigen::Matrix2Xd& poi
   if (cuts.empty()) return places;
   const double edge = mean_edge_length(rest);
   for (auto place : places.colwise()) {
-    const Eigen::Vector2d way = way_from(cuts, place);
-    if (!(way.norm() < kOnCut * edge) || way.isZero(0)) continue;
+    const Eigen::Vector2d way = way_from(cuts, place, kOnCut * edge);
+    if (way.isZero(0)) continue;
     for (const double step : {0.125, 0.25, 0.5, 1.0, 2.0}) {
-      const Eigen::Vector2d beside = place + step * edge * way.normalized();
-      if (locator(beside).distance > 0) continue;
+      const Eigen::Vector2d beside = place + step * edge * way;
+      // What is nearer than half of the way to the cut lies on this side of it.
+      if (locator(beside).distance > step * edge / 2) continue;
       place = beside;
       break;
     }

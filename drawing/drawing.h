@@ -29,6 +29,7 @@ struct Drawing {
   std::string chunks;                   ///< of a PNG, which its pictures keep (kept_chunks)
   std::string svg;                      ///< the bytes of an SVG whose picture is shown
   bool shows_more = false;              ///< whether the SVG shows detached parts that are left out
+  CutLines cuts;                        ///< along which it has been cut
   std::vector<VectorPath> paths;        ///< in the order in which they are painted
   Region region;                        ///< its largest connected part; empty if there is a mesh
   std::vector<Region> detached;         ///< the parts that are apart from it, larger ones first

@@ -147,6 +147,7 @@ Drawing read_drawing(const fs::path& path, const DrawingOptions& options, const 
   check_options(options);
   Drawing drawing = read_by_extension(path, options, cuts);
   drawing.file = path;
+  drawing.cuts = cuts;
   return drawing;
 }
 

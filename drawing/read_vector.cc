@@ -8,6 +8,7 @@
 #include "drawing/find_parts.h"
 #include "drawing/paint.h"
 #include "drawing/vector/curves.h"
+#include "drawing/vector/layers.h"
 #include "drawing/vector/normalized_svg.h"
 #include "drawing/vector/read_svg.h"
 #include "geometry/core/files.h"
@@ -95,7 +96,7 @@ Drawing read_vector_drawing(const fs::path& path, const DrawingOptions& options,
   drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(svg.width, svg.height)};
   drawing.notes = std::move(svg.notes);
   drawing.not_curves = std::move(svg.not_curves);
-  drawing.paths = std::move(svg.paths);
+  drawing.paths = cut_along(svg.paths, cuts, drawing.page);
   if (drawing.paths.empty() && drawing.not_curves.empty())
     cannot_read(path, "it paints nothing on its page");
   const double longest = options.piece * drawing.page.diagonal().norm();

@@ -11,6 +11,8 @@ namespace deformlab {
 namespace {
 
 using ClipperLib::IntPoint;
+constexpr double kNothing = 1e-6;  // of an area
+
 using Key = std::pair<ClipperLib::cInt, ClipperLib::cInt>;
 
 Key key(const IntPoint& p) { return {p.X, p.Y}; }
@@ -172,8 +174,7 @@ ClipperLib::PolyFillType rule_of(const Outlines& outlines) {
 /// The part of what is inside the outlines that lies in the region. It is `outlines` itself if
 /// nothing lies outside.
 Outlines common(Flattened& flattened, const Outlines& outlines, const ClipperLib::Paths& region,
-                ClipperLib::PolyFillType region_rule) {
-  constexpr double kNothing = 1e-6;  // as a part of the area
+                ClipperLib::PolyFillType region_rule, double nothing) {
   const ClipperLib::Paths all = polygons(flattened, outlines);
   const auto cut = [&](ClipperLib::ClipType type) {
     ClipperLib::Clipper clipper;
@@ -186,9 +187,9 @@ Outlines common(Flattened& flattened, const Outlines& outlines, const ClipperLib
   };
   const ClipperLib::Paths within = cut(ClipperLib::ctIntersection);
   const double outside = area_of(cut(ClipperLib::ctDifference)), area = area_of(within);
-  if (outside <= kNothing * area) return outlines;
+  if (outside <= nothing * area) return outlines;
   Outlines result;
-  if (area <= kNothing * outside) return result;
+  if (area <= nothing * outside) return result;
   for (const ClipperLib::Path& polygon : within)
     if (polygon.size() > 2) result.curves.push_back(flattened.curve(polygon, true));
   return result;
@@ -198,13 +199,13 @@ Outlines common(Flattened& flattened, const Outlines& outlines, const ClipperLib
 
 Outlines Clipped::inside(const Outlines& outlines) const {
   Flattened flattened(scale_);
-  return common(flattened, outlines, region_, ClipperLib::pftNonZero);
+  return common(flattened, outlines, region_, ClipperLib::pftNonZero, nothing_);
 }
 
 Outlines common(const Outlines& outlines, const Outlines& clip, double scale) {
   Flattened flattened(scale);
   const ClipperLib::Paths region = polygons(flattened, clip);
-  return common(flattened, outlines, region, rule_of(clip));
+  return common(flattened, outlines, region, rule_of(clip), kNothing);
 }
 
 std::vector<Clipped::Piece> Clipped::along(const Curve& curve) const {
@@ -214,7 +215,7 @@ std::vector<Clipped::Piece> Clipped::along(const Curve& curve) const {
   ClipperLib::Paths parts = lines(line, region_, ClipperLib::ctIntersection);
   double length = 0;
   for (const ClipperLib::Path& path : parts) length += length_of(path);
-  if (length >= length_of(line) * (1 - 1e-6)) return {{curve, 0}};
+  if (length >= length_of(line) * (1 - nothing_)) return {{curve, 0}};
   for (ClipperLib::Path& path : parts) {
     int ahead = 0;
     for (std::size_t i = 0; i + 1 < path.size(); ++i)

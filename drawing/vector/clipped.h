@@ -7,10 +7,12 @@
 namespace deformlab {
 
 /// What lies in a region, which is given by the polygons of Clipper (non-zero winding) in `scale`
-/// units of length [1/length]. Curves stay curves between the places where they are cut.
+/// units of length [1/length]. Curves stay curves between the places where they are cut. A share of
+/// an area or a length that is not above `nothing` counts as nothing.
 class Clipped {
  public:
-  Clipped(ClipperLib::Paths region, double scale) : region_(std::move(region)), scale_(scale) {}
+  Clipped(ClipperLib::Paths region, double scale, double nothing = 1e-6)
+      : region_(std::move(region)), scale_(scale), nothing_(nothing) {}
 
   /// The part of what is inside the outlines. It is `outlines` itself if nothing lies outside.
   Outlines inside(const Outlines& outlines) const;
@@ -25,7 +27,7 @@ class Clipped {
 
  private:
   ClipperLib::Paths region_;
-  double scale_;
+  double scale_, nothing_;
 };
 
 /// What lies inside of both outlines. It is the first one itself if it lies in the second one.

@@ -10,6 +10,9 @@ namespace deformlab {
 namespace {
 
 constexpr double kUnits = 1 << 24;     // of Clipper along the drawing's diagonal
+constexpr double kStrip = 2e-6;        // half the width of a cut, which is too thin to be seen
+constexpr double kNothing = 1e-12;     // of a path, so that the strip of a cut is something
+constexpr double kFar = 100;           // diagonals, within which all paths are
 constexpr double kUnder = 1.0 / 1000;  // of the diagonal, by which a layer extends under others
 
 ClipperLib::Paths offset(const ClipperLib::Paths& paths, double distance) {
@@ -160,6 +163,32 @@ std::vector<VectorPath> in_layers(const std::vector<VectorPath>& paths, const Tr
     const Clipped region = layers.region(d);
     for (const VectorPath& path : cut) add_parts(path, region, parts);
   }
+  return parts;
+}
+
+std::vector<VectorPath> cut_along(const std::vector<VectorPath>& paths,
+                                  const std::vector<Eigen::Matrix2Xd>& lines,
+                                  const Eigen::AlignedBox2d& page) {
+  if (lines.empty()) return paths;
+  const double scale = kUnits / page.diagonal().norm();
+  ClipperLib::ClipperOffset strips;
+  for (const Eigen::Matrix2Xd& line : lines) {
+    ClipperLib::Path corners;
+    for (const auto& p : line.colwise())
+      corners.emplace_back(std::llround(p.x() * scale), std::llround(p.y() * scale));
+    strips.AddPath(corners, ClipperLib::jtRound, ClipperLib::etOpenSquare);
+  }
+  ClipperLib::Paths strip, rest;
+  strips.Execute(strip, kUnits * kStrip);
+  const auto far = static_cast<ClipperLib::cInt>(kUnits * kFar);
+  ClipperLib::Clipper clipper;
+  clipper.AddPath({{-far, -far}, {far, -far}, {far, far}, {-far, far}}, ClipperLib::ptSubject,
+                  true);
+  clipper.AddPaths(strip, ClipperLib::ptClip, true);
+  clipper.Execute(ClipperLib::ctDifference, rest, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  const Clipped region(std::move(rest), scale, kNothing);
+  std::vector<VectorPath> parts;
+  for (const VectorPath& path : paths) add_parts(path, region, parts);
   return parts;
 }
 

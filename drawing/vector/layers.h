@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "drawing/vector/vector_path.h"
 #include "geometry/plane/locator.h"
 
@@ -19,5 +21,11 @@ std::size_t layers_of(const Eigen::VectorXd& depth);
 /// kMostLayers. The mesh is the one at rest.
 std::vector<VectorPath> in_layers(const std::vector<VectorPath>& paths, const Triangulation& rest,
                                   const Locator& locator, const Eigen::VectorXd& depth);
+
+/// Cuts paths at rest along lines (2×n each, n ≥ 2) [length]: what lies on either side of a line is
+/// no longer connected there. A path that no line crosses stays as it is.
+std::vector<VectorPath> cut_along(const std::vector<VectorPath>& paths,
+                                  const std::vector<Eigen::Matrix2Xd>& lines,
+                                  const Eigen::AlignedBox2d& page);
 
 }  // namespace deformlab
