@@ -58,10 +58,10 @@ std::vector<std::string_view> names(TermList<Term...>) {
 template <class T>
 class Laws : public ::testing::Test {
  protected:
-  const std::vector<Sample> samples{random_sample(12, 4, 1), random_sample(9, 2, 7)};
+  const std::vector<Sample> samples_{random_sample(12, 4, 1), random_sample(9, 2, 7)};
   template <class Law>
   void everywhere(Law&& law) {
-    for (const Sample& sample : samples) {
+    for (const Sample& sample : samples_) {
       for (const Unknowns& x : states(rest_of<typename T::Term>(sample))) law(sample, x);
     }
   }
@@ -77,7 +77,7 @@ TYPED_TEST_P(Laws, DerivativesAgree) {
 
 TYPED_TEST_P(Laws, HasElements) {
   using Term = typename TypeParam::Term;
-  for (const Sample& sample : this->samples) {
+  for (const Sample& sample : this->samples_) {
     const TermEnergy<Term> energy(sum_over<Term>(sample));
     EXPECT_GT(energy.size(), 0);
     EXPECT_EQ(energy.name(), Term::kName);
@@ -88,7 +88,7 @@ TYPED_TEST_P(Laws, HasElements) {
 TYPED_TEST_P(Laws, ZeroAtRestWhereDeclared) {
   using Term = typename TypeParam::Term;
   if constexpr (requires { requires Term::kZeroAtRest; }) {
-    for (const Sample& sample : this->samples) {
+    for (const Sample& sample : this->samples_) {
       EXPECT_TRUE(zero_at_rest(TermEnergy<Term>(sum_over<Term>(sample)), rest_of<Term>(sample)));
     }
   }
@@ -105,7 +105,7 @@ TYPED_TEST_P(Laws, RigidlyInvariantWhereDeclared) {
 
 TYPED_TEST_P(Laws, HasTheStructureThatItDeclares) {
   using Term = typename TypeParam::Term;
-  for (const Sample& sample : this->samples) {
+  for (const Sample& sample : this->samples_) {
     const auto x = states(rest_of<Term>(sample));
     EXPECT_TRUE(has_declared_structure(TermEnergy<Term>(sum_over<Term>(sample)), x[1], x[2]));
   }

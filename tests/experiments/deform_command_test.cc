@@ -62,16 +62,15 @@ TEST_F(DeformCommand, KeepsWhatAnObjHoldsBeside) {
 }
 
 TEST_F(DeformCommand, KeepsThePropertiesOfAPly) {
-  std::string ply =
+  const std::string ply =
       "ply\nformat ascii 1.0\ncomment scanned\nelement vertex 4\nproperty double x\n"
       "property double y\nproperty double z\nproperty uchar red\nelement face 1\n"
       "property list uchar int vertex_indices\nproperty int material\nend_header\n";
-  const std::string header = ply;
   put("in.ply", ply + "0 0 0 10\n1 0 0 20\n1 1 0 30\n0 1 0 40\n4 0 1 2 3 77\n");
   deform("in.ply", "edit:\n  - {select: {all: true}, by: [2, 0, 0]}\n",
          {"--out", "out.ply", "--nodes", "4"});
   const std::string out = get("out.ply");
-  EXPECT_THAT(out, AllOf(HasSubstr(header), HasSubstr(" 10\n"), HasSubstr(" 40\n4 0 1 2 3 77\n")));
+  EXPECT_THAT(out, AllOf(HasSubstr(ply), HasSubstr(" 10\n"), HasSubstr(" 40\n4 0 1 2 3 77\n")));
   EXPECT_NEAR(shape("out.ply").V(0, 2), 3, 1e-6);
 }
 

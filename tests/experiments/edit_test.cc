@@ -37,7 +37,7 @@ std::string error_of(const std::string& text) {
 }
 
 std::filesystem::path write(const std::string& name, const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / name;
+  std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / name;
   std::ofstream(path) << text;
   return path;
 }

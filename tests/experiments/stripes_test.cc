@@ -16,7 +16,8 @@ constexpr int kColumns = 101, kRows = 30;
 double stripes_of(const std::function<double(double, double)>& height) {
   Eigen::Matrix3Xd V(3, kColumns * kRows);
   for (int v = 0; v < V.cols(); ++v) {
-    const double x = (v % kColumns) / 100.0, y = (v / kColumns) / 29.0;
+    const int column = v % kColumns, row = v / kColumns;
+    const double x = column / 100.0, y = row / 29.0;
     V.col(v) << x, y, height(x, y);
   }
   return stripes(V, kColumns, 11).at("stripes");

@@ -105,7 +105,8 @@ TEST(Ply, KeepsColoursCustomPropertiesAndElementsOfText) {
 /// `sign`.
 std::string binary_body(bool swapped, double scale, float sign) {
   const auto f = [&](double value) { return raw(static_cast<float>(value), swapped); };
-  const auto vertex = [&](unsigned char red, double x, double y, double z, std::string tags) {
+  const auto vertex = [&](unsigned char red, double x, double y, double z,
+                          const std::string& tags) {
     return raw(red) + f(scale * x) + raw(scale * y, swapped) + f(scale * z) + tags + f(sign * 0) +
            f(sign * 0) + f(sign) + raw(0.125, swapped);
   };

@@ -198,7 +198,7 @@ TEST(Render, PanelsShareTheCameraAndStandSideBySide) {
       right += !white(all, half + x, y);
     }
   EXPECT_NEAR(right, drawn(alone), 60);
-  EXPECT_NEAR(left, right / 4, 60);
+  EXPECT_NEAR(left, right / 4.0, 60);
 }
 
 TEST(Render, APanelMayHaveACameraOfItsOwn) {

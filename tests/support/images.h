@@ -30,7 +30,7 @@ inline std::string jpeg(const Bitmap& bitmap) {
   unsigned long size = 0;
   tjCompress2(encoder, bitmap.rgba.data(), bitmap.width, 0, bitmap.height, TJPF_RGBA, &bytes, &size,
               TJSAMP_444, 95, 0);
-  const std::string result(reinterpret_cast<const char*>(bytes), size);
+  std::string result(reinterpret_cast<const char*>(bytes), size);
   tjFree(bytes);
   tjDestroy(encoder);
   return result;

@@ -132,7 +132,7 @@ TEST_F(AnimateParticles, KeepsOtherColumnsBlanksAndLineEnds) {
   put("edit.yaml", "edit:\n  - {select: {all: true}, by: [1, 0, 0]}\n");
   expect_success(words());
   const std::string out = get("out.csv");
-  EXPECT_EQ(out.substr(0, out.find("\n") + 1), "id, z ,frame,mass,x,y\r\n");
+  EXPECT_EQ(out.substr(0, out.find('\n') + 1), "id, z ,frame,mass,x,y\r\n");
   EXPECT_THAT(out, HasSubstr(",0, heavy,"));
   EXPECT_THAT(out, HasSubstr("\r\n\r\n7,"));
   EXPECT_EQ(std::ranges::count(out, '\n'), 5);

@@ -153,6 +153,10 @@ TEST_P(Faults, LeaveTheOldOrTheNewResult) {
   RecordProperty("faults", faults);
 }
 
+constexpr const char* kLiftOfOneEnd =
+    "edit=[{select: {nearest: [0, 0, 1]}, fix: true},"
+    " {select: {nearest: [4, 0, 1]}, by: [0, 0, 0.2]}]";
+
 INSTANTIATE_TEST_SUITE_P(
     Of, Faults,
     ::testing::Values(
@@ -165,8 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
                 false},
         Written{"RunOfAnimation",
                 {"run", "c.yaml", "animation={file: in-%d.obj, pictured: 1}", "shape={}",
-                 "edit=[{select: {nearest: [0, 0, 1]}, fix: true}, {select: {nearest: [4, 0, 1]}, "
-                 "by: [0, 0, 0.2]}]"},
+                 kLiftOfOneEnd},
                 {"animation.sequence={every: 1, width: 40}"},
                 {"animation.sequence={every: 2, width: 40}"},
                 "results/c/"},

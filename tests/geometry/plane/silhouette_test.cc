@@ -15,7 +15,6 @@ namespace deformlab::test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Property;
 
 Silhouette traced(const Eigen::ArrayXXf& alpha, const TraceOptions& options = {}) {
   return trace(alpha, options, "a picture");
