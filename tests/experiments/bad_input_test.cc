@@ -4,8 +4,6 @@
 namespace deformlab::test {
 namespace {
 
-using std::string_literals::operator""s;
-
 using File = std::pair<std::string, std::string>;
 
 /// One thing that the program must refuse, and what it must say.
@@ -317,7 +315,7 @@ const Refusal kConfigs[] = {
      {"c.yaml", "a/c.yaml"},
      {{"a/c.yaml", kExperiment}}},
     bad_config_file("Empty", "", {"'bad.yaml' is empty"}),
-    bad_config_file("Image", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s, {"bad.yaml"}),
+    bad_config_file("Image", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), {"bad.yaml"}),
     bad_config_file("Brackets", std::string(10 << 20, '['), {"deeper", "bad.yaml"}),
     bad_config_file("DuplicateKey", kExperiment + "title: twice\n",
                     {"duplicate key 'title'", "line 1 and line"}),

@@ -23,7 +23,7 @@ inline std::filesystem::path place(const std::string& name) {
 }
 
 inline std::filesystem::path put(const std::string& name, const std::string& bytes) {
-  const std::filesystem::path path = place(name);
+  std::filesystem::path path = place(name);
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }

@@ -134,7 +134,10 @@ TEST(Render, PointsWithoutFacesAreDots) {
   EXPECT_FALSE(white(picture({.shape = &shape}), 40, 30));
 
   shape.V.resize(3, 100);
-  for (int i = 0; i < 100; ++i) shape.V.col(i) << i % 10, i / 10, 0;
+  for (int i = 0; i < 100; ++i) {
+    const int column = i % 10, row = i / 10;
+    shape.V.col(i) << column, row, 0;
+  }
   EXPECT_GT(drawn(picture({.shape = &shape})), 1000);
 }
 
