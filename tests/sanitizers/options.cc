@@ -16,8 +16,8 @@ const char* __lsan_default_suppressions();
 const char* __lsan_default_suppressions() {
   return "leak:libfontconfig\nleak:libcairo\nleak:libpango\nleak:librsvg\n";
 }
-// CHOLMOD starts threads of OpenMP, which are not compiled for the thread sanitizer: it does not see
-// that they wait for each other. No code of ours runs in such a thread.
+// CHOLMOD starts threads of OpenMP, which are not compiled for the thread sanitizer: it does not
+// see that they wait for each other. No code of ours runs in such a thread.
 const char* __tsan_default_suppressions();
 const char* __tsan_default_suppressions() { return "race:libgomp.so\n"; }
 }
