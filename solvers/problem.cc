@@ -24,8 +24,8 @@ bool fits(const Energy& energy, const Unknowns& x) {
   return true;
 }
 
-// Checks that x, fixed and each term are complete.
-void check_parts(const Problem& problem) {
+// Checks that x and fixed are complete.
+void check_sizes(const Problem& problem) {
   const Unknowns& x = problem.x;
   const int columns = x.first.empty() ? 0 : x.first.back();
   if (columns != x.X.cols()) {
@@ -40,31 +40,35 @@ void check_parts(const Problem& problem) {
                     "each node: std::vector<char>({}, 0) leaves all nodes free",
                     problem.fixed.size(), x.nodes(), x.nodes()));
   }
-  for (std::size_t i = 0; i < problem.terms.size(); ++i) {
-    const WeightedEnergy& term = problem.terms[i];
-    if (!term.energy) {
-      throw InputError(fmt::format("problem.terms[{}] has no energy; give one or erase it", i));
-    }
-    if (!(term.weight >= 0)) {
-      throw InputError(fmt::format("the weight of the term '{}' is {}; it has to be 0 or more",
-                                   term.energy->name(), term.weight));
-    }
-  }
 }
 
 }  // namespace
 
-void check(const Problem& problem) {
-  check_parts(problem);
-  for (const WeightedEnergy& term : problem.terms) {
-    if (!fits(*term.energy, problem.x)) {
-      throw InputError(
-          fmt::format("the term '{}' reads nodes that this problem does not have: check the node "
-                      "indices, the dimension and the columns of its arguments",
-                      term.energy->name()));
-    }
-    check_structure(*term.energy);
+void check_term(const Problem& problem, std::size_t i) {
+  if (i >= problem.terms.size()) {
+    throw InputError(fmt::format("there is no problem.terms[{}]; the problem has {} terms", i,
+                                 problem.terms.size()));
   }
+  const WeightedEnergy& term = problem.terms[i];
+  if (!term.energy) {
+    throw InputError(fmt::format("problem.terms[{}] has no energy; give one or erase it", i));
+  }
+  if (!(term.weight >= 0)) {
+    throw InputError(fmt::format("the weight of the term '{}' is {}; it has to be 0 or more",
+                                 term.energy->name(), term.weight));
+  }
+  if (!fits(*term.energy, problem.x)) {
+    throw InputError(
+        fmt::format("the term '{}' reads nodes that this problem does not have: check the node "
+                    "indices, the dimension and the columns of its arguments",
+                    term.energy->name()));
+  }
+  check_structure(*term.energy);
+}
+
+void check(const Problem& problem) {
+  check_sizes(problem);
+  for (std::size_t i = 0; i < problem.terms.size(); ++i) check_term(problem, i);
 }
 
 void check_compiled(const Problem& problem, const std::vector<int>* first, std::size_t terms) {

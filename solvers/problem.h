@@ -32,6 +32,9 @@ struct Problem {
 /// dimension than the problem, or that does not have the structure it declares.
 void check(const Problem& problem);
 
+/// Checks only this term in this way.
+void check_term(const Problem& problem, std::size_t term);
+
 /// The first term whose residuals or derivatives at x are not all finite; null if all are.
 const Energy* not_finite_term(const Problem& problem, const Unknowns& x);
 /// The end of a message that says so.

@@ -105,6 +105,7 @@ void EmbeddedDeformation::set_graph(DeformationGraph graph) {
   satellite_owners_ = {};
   deformed_ = rest_;
   at_rest_ = true;
+  compiled_ = false;
 }
 
 void EmbeddedDeformation::build_active_graph(const Handles& handles) {
@@ -118,6 +119,7 @@ void EmbeddedDeformation::reset() {
   problem_.x = rest_states(problem_.x.nodes());
   deformed_ = rest_;
   at_rest_ = true;
+  compiled_ = false;  // the next compilation is for the state at rest
 }
 
 void EmbeddedDeformation::repose(const Shape& rest, const Eigen::Matrix3Xd& nodes) {
@@ -268,19 +270,49 @@ void EmbeddedDeformation::pin_components() {
                   immovable_));
 }
 
-void EmbeddedDeformation::make_terms() {
+// Calls make(context) with what terms are summed over.
+template <class Make>
+void EmbeddedDeformation::with_context(Make&& make) const {
   const DeformationGraph graph = scaled(graph_, 1 / unit_);
   const Embedding handles = scaled(handles_, 1 / unit_);
   const Eigen::VectorXd stiffness = node_stiffness();
-  problem_.terms = deformlab::make_terms(options_, {.graph = graph,
-                                                    .handles = handles,
-                                                    .model = options_.node_model(),
-                                                    .dimension = options_.dimension,
-                                                    .shape = rest_,
-                                                    .vertices = embedding_,
-                                                    .unit = unit_,
-                                                    .handle_weights = handle_weights_,
-                                                    .stiffness = stiffness});
+  make(GraphContext{.graph = graph,
+                    .handles = handles,
+                    .model = options_.node_model(),
+                    .dimension = options_.dimension,
+                    .shape = rest_,
+                    .vertices = embedding_,
+                    .unit = unit_,
+                    .handle_weights = handle_weights_,
+                    .stiffness = stiffness});
+}
+
+void EmbeddedDeformation::make_terms() {
+  recipes_ = term_recipes(options_);
+  reads_handles_.clear();
+  problem_.terms.clear();
+  with_context([&](const GraphContext& context) {
+    for (const TermRecipe& recipe : recipes_) {
+      context.handles.forget();
+      problem_.terms.push_back({recipe.make(context), recipe.weight, recipe.loss});
+      reads_handles_.push_back(context.handles.were_read());
+    }
+  });
+}
+
+// Adapts the compiled problem to handles that were added or removed. Returns false if it has to be
+// compiled again.
+bool EmbeddedDeformation::change_handles(const std::vector<char>& fixed_before) {
+  if (!compiled_ || problem_.fixed != fixed_before) return false;
+  bool adapted = true;
+  with_context([&](const GraphContext& context) {
+    for (std::size_t i = 0; i < recipes_.size() && adapted; ++i) {
+      if (!reads_handles_[i]) continue;
+      problem_.terms[i].energy = recipes_[i].make(context);
+      adapted = solver_->change_elements(problem_, i);
+    }
+  });
+  return adapted;
 }
 
 void EmbeddedDeformation::compile(const Handles& handles) {
@@ -289,11 +321,16 @@ void EmbeddedDeformation::compile(const Handles& handles) {
   if (options_.graph.region == NodeRegion::kActive) build_active_graph(handles);
   seconds_["compile"] = 0;
   Stopwatch watch(seconds_["compile"]);
+  const std::vector<char> fixed_before = problem_.fixed;
   embed_handles(handles);
   if (fit_interior()) embed_handles(handles);
   pin_components();
+  if (change_handles(fixed_before)) return;
+  compiled_ = false;
   make_terms();
   solver_->compile(problem_);
+  compiled_ = true;
+  ++compilations_;
 }
 
 void EmbeddedDeformation::measure(const Transformations& X, const Eigen::Matrix3Xd& targets,

@@ -57,6 +57,9 @@ class EmbeddedDeformation final : public Deformer {
   Eigen::Matrix3Xd points(const Transformations& X) const;
   const Problem& problem() const { return problem_; }  ///< lengths are in units of length_unit()
   double length_unit() const { return unit_; }
+  /// How many times the whole problem was compiled. Where few handles were added or removed,
+  /// `compile` only adapts it, unless `reset` was called before.
+  int compilations() const { return compilations_; }
 
  private:
   void register_graph(BuiltGraph built);
@@ -74,7 +77,10 @@ class EmbeddedDeformation final : public Deformer {
   Eigen::VectorXd node_stiffness() const;
   std::vector<char> nodes_at_rest() const;
   void pin_components();
+  template <class Make>
+  void with_context(Make&& make) const;
   void make_terms();
+  bool change_handles(const std::vector<char>& fixed_before);
   void transfer(const Transformations& X);
   void translate_pinned(const Eigen::Matrix3Xd& targets);
   void begin(const Eigen::Matrix3Xd& targets);
@@ -112,6 +118,10 @@ class EmbeddedDeformation final : public Deformer {
   bool in_space_ = true;  // a point can be embedded by its position alone
   double unit_ = 1;
   Problem problem_;
+  std::vector<TermRecipe> recipes_;  // of the problem's terms
+  std::vector<char> reads_handles_;  // whether each of them reads the handles
+  int compilations_ = 0;
+  bool compiled_ = false;  // the solver has compiled the problem on this graph
   std::vector<PointPin> at_one_point_;
   std::vector<std::vector<int>> on_one_line_;  // as in Pins
   std::unique_ptr<Solver> solver_;

@@ -103,23 +103,24 @@ double length_unit(const std::string& text, const DeformationGraph& graph) {
                   edge, kMostUnits));
 }
 
-std::vector<WeightedEnergy> make_terms(const EmbeddedDeformationOptions& options,
-                                       const GraphContext& context) {
-  std::vector<WeightedEnergy> terms;
+std::vector<TermRecipe> term_recipes(const EmbeddedDeformationOptions& options) {
+  std::vector<TermRecipe> recipes;
   for (const EnergyInfo& info : known_energies()) {
     const auto named = options.energies.find(info.name);
     const TermSettings settings = named != options.energies.end() ? named->second : TermSettings{};
     const double weight = settings.weight.value_or(info.default_weight);
-    const bool exists = context.model == NodeModel::kAffine || info.for_rigid_nodes;
+    const bool exists = options.node_model() == NodeModel::kAffine || info.for_rigid_nodes;
     if (!(weight > 0) || !exists) continue;
-    terms.push_back(
-        {make_energy(info.name, context, settings.options), weight, loss_of(options, info.name)});
+    const auto make = [name = info.name, own = settings.options](const GraphContext& context) {
+      return make_energy(name, context, own);
+    };
+    recipes.push_back({make, weight, loss_of(options, info.name)});
   }
   for (const ExtraTerm& extra : options.extra_terms) {
     if (!(extra.weight > 0)) continue;
-    terms.push_back({extra.make(context), extra.weight, make_loss(extra.loss)});
+    recipes.push_back({extra.make, extra.weight, make_loss(extra.loss)});
   }
-  return terms;
+  return recipes;
 }
 
 }  // namespace deformlab

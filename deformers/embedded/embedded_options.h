@@ -17,7 +17,8 @@ namespace deformlab {
 
 /// A term that a program adds to the energy without registering it.
 struct ExtraTerm {
-  /// Makes the term's sum. It is called for every set of handles.
+  /// Makes the term's sum. It is called for every graph, and again for other handles if it read
+  /// the handles of its context.
   std::function<std::unique_ptr<Energy>(const GraphContext&)> make;
   double weight = 1;
   LossOptions loss{};
@@ -153,8 +154,14 @@ void check_dimension(int d, const Shape& rest);
 /// Throws OptionError for other text and for a number far from the mean edge of the graph.
 double length_unit(const std::string& text, const DeformationGraph& graph);
 
+/// How a term of the problem is made.
+struct TermRecipe {
+  std::function<std::unique_ptr<Energy>(const GraphContext&)> make;
+  double weight;
+  std::shared_ptr<const ceres::LossFunction> loss;
+};
+
 /// The terms of the catalog with a weight above 0, followed by the extra terms.
-std::vector<WeightedEnergy> make_terms(const EmbeddedDeformationOptions& options,
-                                       const GraphContext& context);
+std::vector<TermRecipe> term_recipes(const EmbeddedDeformationOptions& options);
 
 }  // namespace deformlab

@@ -16,12 +16,32 @@ inline const Embedding kNoPoints{};
 inline const Shape kNoShape{};
 inline const Eigen::VectorXd kNoFactors{};
 
+/// The handles of a GraphContext. It notices when a term reads them, because such a term has to be
+/// made again when handles are added or removed.
+class ContextHandles {
+ public:
+  ContextHandles(const Embedding& handles) : handles_(&handles) {}  // NOLINT: converts as it reads
+  operator const Embedding&() const { return read(); }
+  const Embedding* operator->() const { return &read(); }
+  bool were_read() const { return were_read_; }
+  void forget() const { were_read_ = false; }
+
+ private:
+  const Embedding& read() const {
+    were_read_ = true;
+    return *handles_;
+  }
+
+  const Embedding* handles_;
+  mutable bool were_read_ = false;
+};
+
 /// What the terms over a deformation graph are summed over. Nothing is copied, so that all objects
 /// have to exist until the sum is made.
 struct GraphContext {
   /// The graph, and the handles embedded in it, in the unit of length of the problem.
   const DeformationGraph& graph;
-  const Embedding& handles = kNoPoints;
+  ContextHandles handles = kNoPoints;
 
   NodeModel model = NodeModel::kAffine;
   int dimension = 3;  ///< 2 for a flat shape: z is not used

@@ -67,6 +67,27 @@ std::vector<Scenario> edit_scenarios() {
       {"a drag with the preset default", "the preset sumner_2007", "nodes", sizes,
        [](int nodes) { return drag_with_preset(nodes, Preset::kDefault); },
        [](int nodes) { return drag_with_preset(nodes, Preset::kSumner2007); }, 2},
+      {"a handle added or removed", "a full compilation", "nodes", sizes,
+       [=](int nodes) {
+         return change_handle("adapted", reference_deformation(nodes, ours), false);
+       },
+       [=](int nodes) {
+         return change_handle("afresh", reference_deformation(nodes, ours), true);
+       }},
+      {"a handle added or removed with the preset default", "a full compilation", "nodes", sizes,
+       [](int nodes) {
+         return change_handle("adapted", preset_deformation(nodes, Preset::kDefault), false);
+       },
+       [](int nodes) {
+         return change_handle("afresh", preset_deformation(nodes, Preset::kDefault), true);
+       }},
+      {"the update after a handle was added", "the same after a full compilation", "nodes", sizes,
+       [=](int nodes) {
+         return update_with_new_handle("adapted", reference_deformation(nodes, ours), false);
+       },
+       [=](int nodes) {
+         return update_with_new_handle("afresh", reference_deformation(nodes, ours), true);
+       }},
       {"from rest with the transfer", "CGAL", "nodes", sizes, with_transfer,
        [](int) { return cgal_arap_from_rest(); }},
   };

@@ -22,6 +22,12 @@ Eigen::Matrix3Xd targets(double side, double lift) {
   return side > 0 ? Eigen::Matrix3Xd(side * result) : result;
 }
 
+Handles with_middle_handle() {
+  Handles handles = reference_scene().handles;
+  handles.moved.push_back(static_cast<int>(reference_scene().shape.V.cols()) / 2);
+  return handles;
+}
+
 double compile_ms(Deformer& deformation) {
   deformation.reset();
   return ms_of([&] { deformation.compile(reference_scene().handles); });
@@ -105,10 +111,54 @@ Way drag(int nodes, const SolverOptions& options) {
   return drag_of(describe(options), reference_deformation(nodes, options));
 }
 
-Way drag_with_preset(int nodes, Preset preset) {
+EmbeddedDeformation preset_deformation(int nodes, Preset preset) {
   EmbeddedDeformationOptions options = preset_options(preset);
   options.graph.nodes = nodes;
-  return drag_of(fmt::format("preset {}", name_of(preset)), {reference_scene().shape, options});
+  return {reference_scene().shape, options};
+}
+
+Way drag_with_preset(int nodes, Preset preset) {
+  return drag_of(fmt::format("preset {}", name_of(preset)), preset_deformation(nodes, preset));
+}
+
+Way change_handle(const std::string& name, EmbeddedDeformation own, bool afresh) {
+  auto deformation = std::make_shared<EmbeddedDeformation>(std::move(own));
+  deformation->compile(reference_scene().handles);
+  return {name, [deformation, afresh] {
+            RunResult result;
+            if (afresh) {
+              result.ms = compile_ms(*deformation);
+              return result;
+            }
+            const Handles more = with_middle_handle();
+            result.ms = ms_of([&] {
+                          deformation->compile(more);
+                          deformation->compile(reference_scene().handles);
+                        }) /
+                        2;
+            return result;
+          }};
+}
+
+Way update_with_new_handle(const std::string& name, EmbeddedDeformation own, bool afresh) {
+  auto deformation = std::make_shared<EmbeddedDeformation>(std::move(own));
+  deformation->compile(reference_scene().handles);
+  deformation->update(targets(0, 0));
+  return {name, [deformation, afresh, at_rest = deformation->transformations()] {
+            deformation->begin_at(at_rest);
+            if (afresh) deformation->reset();
+            deformation->compile(with_middle_handle());
+            deformation->begin_at(at_rest);
+            Eigen::Matrix3Xd moved = targets(0, 0);
+            moved.conservativeResize(3, moved.cols() + 1);
+            moved.rightCols<1>() =
+                deformation->deformed().V.col(deformation->deformed().V.cols() / 2);
+            moved(2, moved.cols() - 1) += kDrag;
+            const RunResult result = update_without_transfer(*deformation, moved);
+            deformation->begin_at(at_rest);
+            deformation->compile(reference_scene().handles);
+            return result;
+          }};
 }
 
 Way step(int nodes, const SolverOptions& options) {

@@ -25,6 +25,13 @@ void GaussNewton::compile(const Problem& problem) {
   iterate_.emplace(problem, *linearization_, *steps_);
 }
 
+bool GaussNewton::change_elements(const Problem& problem, std::size_t term) {
+  if (!iterate_) return false;
+  check_term(problem, term);
+  if (!linearization_->change_elements(problem, term)) return false;
+  return steps_->change_elements(*linearization_);
+}
+
 void GaussNewton::start(Problem& problem) {
   summary_ = {};
   for (const char* phase : {"evaluate", "linearize", "factorize", "solve"}) {

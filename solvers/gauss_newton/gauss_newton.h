@@ -22,6 +22,7 @@ class GaussNewton final : public Solver {
   explicit GaussNewton(const SolverOptions& options);
 
   void compile(const Problem& problem) override;
+  bool change_elements(const Problem& problem, std::size_t term) override;
   Summary solve(Problem& problem) override;
 
  private:

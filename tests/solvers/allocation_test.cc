@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <numeric>
 
 #include "tests/support/heap_calls.h"
 #include "tests/support/problems.h"
@@ -47,7 +48,9 @@ class Allocations : public ::testing::Test {
   }
 
   // Of a solve of so many steps, after one that has warmed every workspace up.
-  static long in_a_solve(SolverOptions options, int steps, const LossOptions& loss = {}) {
+  //   removed  how many handles are removed after the compilation
+  static long in_a_solve(SolverOptions options, int steps, const LossOptions& loss = {},
+                         int removed = 0) {
     const Sample sample = random_sample(100);
     Problem problem = make_problem(sample, twisted(sample.handles, 1.5, 3));
     term(problem, "constraint").loss = make_loss(loss);
@@ -55,6 +58,7 @@ class Allocations : public ::testing::Test {
     options.max_iterations = steps;
     const auto solver = make_solver(options);
     solver->compile(problem);
+    if (removed > 0) remove_handles(sample, removed, problem, *solver);
     solver->solve(problem);
     problem.x = start;
     const long before = heap_calls;
@@ -62,6 +66,18 @@ class Allocations : public ::testing::Test {
     const long result = heap_calls - before;
     EXPECT_EQ(std::ssize(summary.iterations), steps) << summary.message;
     return result;
+  }
+
+ private:
+  static void remove_handles(Sample sample, int count, Problem& problem, Solver& solver) {
+    std::vector<int> left(sample.handles.v.cols() - count);
+    std::iota(left.begin(), left.end(), count);
+    sample.handles = subset(sample.handles, left);
+    Problem fewer = make_problem(sample, twisted(sample.handles, 1.5, 3));
+    std::size_t i = 0;
+    while (problem.terms[i].energy->name() != "constraint") ++i;
+    problem.terms[i].energy = std::move(fewer.terms[i].energy);
+    EXPECT_TRUE(solver.change_elements(problem, i));
   }
 };
 
@@ -82,6 +98,11 @@ TEST_F(Allocations, AStepMakesNone) {
           << linear_solver << " " << globalization << " with a loss";
     }
   }
+}
+
+TEST_F(Allocations, AStepAfterAChangeOfHandlesMakesNone) {
+  const SolverOptions options = gauss_newton("kronecker_cg", "accelerated", 1e-300);
+  EXPECT_EQ(in_a_solve(options, 3, {}, 5), in_a_solve(options, 6, {}, 5));
 }
 
 }  // namespace

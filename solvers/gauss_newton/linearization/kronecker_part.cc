@@ -1,5 +1,8 @@
 #include "solvers/gauss_newton/linearization/kronecker_part.h"
 
+#include <algorithm>
+#include <map>
+
 #include "geometry/core/simd_block.h"
 #include "geometry/core/simd_dispatch.h"
 
@@ -59,6 +62,47 @@ double KroneckerPart::cost(const ColumnBlock& X) const {
 double KroneckerPart::cost(const ColumnBlock& X, ColumnBlock& G) const {
   return weight_ * sum_up(a_.data(), b_.data(), column_.data(), a_.rows(), a_.cols(), X.data(),
                           weight_, G.data());
+}
+
+bool KroneckerPart::same(int e, const KroneckerPart& other, int f) const {
+  const auto n = a_.rows();
+  return std::equal(&column_[e * n], &column_[e * n] + n, &other.column_[f * n]) &&
+         a_.col(e) == other.a_.col(f);
+}
+
+// Between the elements that both sums begin and end with there are few, as a rule.
+KroneckerPart::Difference KroneckerPart::difference_to(const KroneckerPart& next) const {
+  int first = 0;
+  auto end = static_cast<int>(a_.cols()), next_end = static_cast<int>(next.a_.cols());
+  while (first < std::min(end, next_end) && same(first, next, first)) ++first;
+  while (std::min(end, next_end) > first && same(end - 1, next, next_end - 1)) --end, --next_end;
+
+  std::multimap<double, int> unmatched;  // the old elements by the sum of their coefficients
+  for (int e = first; e < end; ++e) unmatched.emplace(a_.col(e).sum(), e);
+  Difference difference;
+  for (int f = first; f < next_end; ++f) {
+    auto [at, last] = unmatched.equal_range(next.a_.col(f).sum());
+    while (at != last && !same(at->second, next, f)) ++at;
+    if (at == last) {
+      difference.added.push_back(f);
+    } else {
+      unmatched.erase(at);
+    }
+  }
+  for (const auto& [sum, e] : unmatched) difference.removed.push_back(e);
+  return difference;
+}
+
+std::vector<LowRankChange::Entry> KroneckerPart::free_coefficients(
+    int e, const FreeColumns& columns) const {
+  std::map<int, double> sum;  // a column that is read twice has one entry
+  for (Eigen::Index c = 0; c < a_.rows(); ++c) {
+    const int rank = columns.rank(column_[e * a_.rows() + c]);
+    if (rank >= 0 && a_(c, e) != 0) sum[rank] += a_(c, e);
+  }
+  std::vector<LowRankChange::Entry> result;
+  for (const auto& [rank, value] : sum) result.push_back({rank, value});
+  return result;
 }
 
 }  // namespace deformlab

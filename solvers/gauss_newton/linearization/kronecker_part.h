@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solvers/gauss_newton/linearization/free_columns.h"
+#include "solvers/gauss_newton/linearization/low_rank_change.h"
 #include "solvers/linear/column_block.h"
 
 namespace deformlab {
@@ -27,7 +28,18 @@ class KroneckerPart {
   /// a, one column for each element.
   const Eigen::MatrixXd& coefficients() const { return a_; }
 
+  /// The elements that only one of two sums of the same term has. The elements are compared by the
+  /// columns that they read and by their coefficients.
+  struct Difference {
+    std::vector<int> removed, added;  ///< elements of the old sum, and of the new one
+  };
+  Difference difference_to(const KroneckerPart& next) const;
+  /// What element e multiplies with the free columns, in the order of their ranks.
+  std::vector<LowRankChange::Entry> free_coefficients(int e, const FreeColumns& columns) const;
+
  private:
+  bool same(int e, const KroneckerPart& other, int f) const;
+
   const Energy* energy_;
   double weight_;
   Eigen::MatrixXd a_;        // n × elements

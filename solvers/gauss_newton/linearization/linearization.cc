@@ -69,6 +69,31 @@ Linearization::Linearization(const Problem& problem, ColumnOrder order) : column
   set_targets();
 }
 
+bool Linearization::change_elements(const Problem& problem, std::size_t term) {
+  const WeightedEnergy& changed = problem.terms[term];
+  if (structure_[term] != Structure::kKronecker) return false;
+  if (changed.structure() != Structure::kKronecker) return false;
+  const auto before = structure_.begin() + static_cast<std::ptrdiff_t>(term);
+  KroneckerPart& part = kronecker_[std::count(structure_.begin(), before, Structure::kKronecker)];
+  if (columns_of_element(*changed.energy) != part.coefficients().rows()) return false;
+  KroneckerPart next(changed, columns_);
+  const KroneckerPart::Difference difference = part.difference_to(next);
+  if (std::ssize(difference.added) + std::ssize(difference.removed) > LowRankChange::kMostRank)
+    return false;
+  LowRankChange change = change_of_A_;
+  for (const int e : difference.removed) {
+    change.add(-part.weight(), part.free_coefficients(e, columns_));
+  }
+  for (const int e : difference.added) {
+    change.add(next.weight(), next.free_coefficients(e, columns_));
+  }
+  if (change.rank() > LowRankChange::kMostRank) return false;
+  change_of_A_ = std::move(change);
+  part = std::move(next);
+  set_targets();
+  return true;
+}
+
 void Linearization::set_targets() {
   for (KroneckerPart& part : kronecker_) part.set_targets();
 }
@@ -121,6 +146,7 @@ void Linearization::set_direction(const Eigen::VectorXd& delta) {
   gather(delta, columns_.dimension(), delta_);
   Adelta_.setZero();
   add_product(A_, delta_, Adelta_);
+  change_of_A_.add_product(delta_, Adelta_);
   slope_ = dot(G_, delta_);
   curvature_ = dot(delta_, Adelta_);
 }

@@ -31,6 +31,11 @@ class Linearization {
   Linearization(const Linearization&) = delete;  // the parts refer to columns_
   Linearization& operator=(const Linearization&) = delete;
 
+  /// Takes the elements that one Kronecker term has now: the problem is the one that was given to
+  /// the constructor, except for this term's energy. Returns false, and changes nothing, unless
+  /// A can follow by a change of low rank.
+  bool change_elements(const Problem& problem, std::size_t term);
+
   /// Reads the current targets of the terms. Call it between Energy::set_targets and `evaluate`.
   void set_targets();
   /// Returns F at x, and keeps the residuals for `linearize`.
@@ -61,8 +66,11 @@ class Linearization {
   std::size_t terms() const { return structure_.size(); }
   const FreeColumns& columns() const { return columns_; }
 
-  /// The Kronecker terms' JᵀJ is A ⊗ I_d. This is the lower triangle of A over the free columns.
+  /// The Kronecker terms' JᵀJ is A ⊗ I_d. This is the lower triangle of A over the free columns, as
+  /// it was when the constructor assembled it.
   const SparseMatrix& A() const { return A_; }
+  /// How A has changed since.
+  const LowRankChange& change_of_A() const { return change_of_A_; }
   /// The derivatives of the linear and the nonlinear terms.
   const std::vector<const ElementDerivatives*>& derivatives() const { return derivatives_; }
   /// The nonlinear terms. Their derivatives, which change, are the last ones above.
@@ -87,6 +95,7 @@ class Linearization {
   std::vector<const ElementDerivatives*> derivatives_;
   std::vector<Structure> structure_;  // of each term, in the problem's order
   SparseMatrix A_;
+  LowRankChange change_of_A_;
   ColumnBlock X_, all_G_;  // X, and Jᵀr of the Kronecker terms over all columns
   ColumnBlock G_;          // the free ones in the order of their ranks
   ColumnBlock delta_, Adelta_;

@@ -18,6 +18,9 @@ class AutoSteps final : public StepSolver {
 
   ColumnOrder prepare(const Problem& problem) override;
   void compile(const Linearization& linearization) override;
+  bool change_elements(const Linearization& linearization) override {
+    return chosen().change_elements(linearization);
+  }
   void update(const Linearization& linearization) override { chosen().update(linearization); }
   StepResult direction(const Linearization& linearization, double damping, const Eigen::VectorXd& D,
                        Eigen::VectorXd& delta) override;

@@ -17,6 +17,8 @@ namespace {
 constexpr double kForcing = 0.02;     // stops when an iteration gains no more than this share
 constexpr int kMostIterations = 200;  // of one step
 constexpr int kConditionIterations = 4;
+// With a ratio of its eigenvalues below this, a removed element was almost all that held a motion.
+constexpr double kSingularCapacitance = 1e-12;
 constexpr double kRidge = 1e-10;  // the first relative damping of a singular Ã
 
 }  // namespace
@@ -61,6 +63,51 @@ void KroneckerCg::factorize(const Linearization& linearization) {
     factored_ = L_.factorize(M);
   }
   minus_C_ = -C;
+}
+
+// The formula is exact where Ã + U S Uᵀ is positive definite. By Sylvester's law of inertia it is
+// so if S⁻¹ + Uᵀ Y has as many negative eigenvalues as S.
+bool KroneckerCg::change_elements(const Linearization& linearization) {
+  if (!factored_) return false;
+  const LowRankChange& change = linearization.change_of_A();
+  const int r = change.rank();
+  Yt_.resize(r, linearization.columns().count());
+  capacitance_inverse_.resize(r, r);
+  for (int first = 0; first < r; first += 4) {
+    const int count = std::min(4, r - first);
+    z_.setZero();
+    for (int i = 0; i < count; ++i) {
+      for (const auto& [rank, value] : change.vectors()[first + i].u) z_(i, rank) = value;
+    }
+    L_.solve(z_);
+    Yt_.middleRows(first, count) = z_.topRows(count);
+    for (int i = 0; i < r; ++i) {
+      capacitance_inverse_.row(i).segment(first, count) =
+          product(change.vectors()[i].u, z_).head(count);
+    }
+  }
+  for (int i = 0; i < r; ++i) capacitance_inverse_(i, i) += 1 / change.vectors()[i].s;
+  if (r == 0) return true;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(capacitance_inverse_);
+  const Eigen::ArrayXd values = eigen.eigenvalues();
+  if ((values < 0).count() != change.negative()) return false;
+  if (!(values.abs().minCoeff() > kSingularCapacitance * values.abs().maxCoeff())) return false;
+  capacitance_inverse_ = eigen.eigenvectors() * values.inverse().matrix().asDiagonal() *
+                         eigen.eigenvectors().transpose();
+  return true;
+}
+
+// z ← M⁻¹ z.
+void KroneckerCg::precondition(const Linearization& linearization) {
+  L_.solve(z_);
+  const auto& vectors = linearization.change_of_A().vectors();
+  if (vectors.empty()) return;
+  projected_.resize(4, std::ssize(vectors));
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    projected_.col(static_cast<Eigen::Index>(i)) = product(vectors[i].u, z_);
+  }
+  projected_ = (projected_ * capacitance_inverse_).eval();
+  z_.noalias() -= projected_.lazyProduct(Yt_);
 }
 
 // H p = M p + (H − M) p. M p is known without a product, and H − M is sparser than A.
@@ -116,7 +163,7 @@ StepResult KroneckerCg::iterate(const Linearization& linearization, double dampi
   result.regular = factored_;
   if (!factored_) return result;
   z_ = r_;
-  L_.solve(z_);
+  precondition(linearization);
   p_ = z_;
   Mp_ = r_;
   const double first = dot(r_, z_);
@@ -137,7 +184,7 @@ StepResult KroneckerCg::iterate(const Linearization& linearization, double dampi
     if (enough) break;
     add_scaled(-alpha, Hp_, r_);
     z_ = r_;
-    L_.solve(z_);
+    precondition(linearization);
     const double before = std::exchange(rho, dot(r_, z_)), beta = rho / before;
     enough = !(rho > 0);
     add_to_scaled(z_, beta, p_);

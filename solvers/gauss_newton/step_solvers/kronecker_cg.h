@@ -18,6 +18,8 @@ class KroneckerCg final : public StepSolver {
   /// Throws InputError if no term is Kronecker.
   ColumnOrder prepare(const Problem& problem) override;
   void compile(const Linearization& linearization) override;
+  /// Corrects the solves with Ã by the formula of Sherman, Morrison and Woodbury.
+  bool change_elements(const Linearization& linearization) override;
   /// The result is inexact: iterations end when another one would gain little.
   StepResult direction(const Linearization& linearization, double damping, const Eigen::VectorXd& D,
                        Eigen::VectorXd& delta) override;
@@ -41,11 +43,18 @@ class KroneckerCg final : public StepSolver {
   StepResult solve(const Linearization& linearization, const Eigen::VectorXd& gradient,
                    double damping, Eigen::VectorXd& delta);
   StepResult iterate(const Linearization& linearization, double damping, double forcing, int most);
+  void precondition(const Linearization& linearization);
   void multiply(const Linearization& linearization, double damping);
 
   PanelCholesky<double> L_;  // of Ã
   bool factored_ = false;    // false if Ã is not finite
   SparseMatrix minus_C_;     // A − Ã, lower triangle
+  // A has changed by Σ s u uᵀ = U S Uᵀ since: Y = Ã⁻¹ U, transposed, and (S⁻¹ + Uᵀ Y)⁻¹.
+  static constexpr int kMostRank = LowRankChange::kMostRank;
+  Eigen::MatrixXd Yt_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRank, kMostRank>
+      capacitance_inverse_;
+  Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, kMostRank> projected_;
   ColumnBlock r_, z_, p_, Mp_, Hp_, delta_, D_;
   // The diagonal of a tridiagonal matrix, and the entries beside it, from the first iterations of
   // the last solve. Its extreme eigenvalues are about those of the preconditioned matrix.

@@ -10,7 +10,9 @@ NormalMatrix::NormalMatrix(const Linearization& linearization, const Ordering& o
     : position_(linearization.unknowns()) {
   const int d = linearization.columns().dimension();
   const SparseMatrix coupled = linearization.structure_of_others(true);
-  const SparseMatrix uncoupled = linearization.A() + 0 * linearization.structure_of_others(false);
+  const SparseMatrix A =
+      linearization.A() + linearization.change_of_A().lower(linearization.columns().count());
+  const SparseMatrix uncoupled = A + 0 * linearization.structure_of_others(false);
   std::iota(position_.begin(), position_.end(), 0);
   const Eigen::VectorXi order = ordering(pattern(uncoupled, coupled, d));
   for (int i = 0; i < order.size(); ++i) position_[order[i]] = i;

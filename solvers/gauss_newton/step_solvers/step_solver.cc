@@ -41,6 +41,9 @@ void StepSolver::diagonal(const Linearization& linearization, Eigen::VectorXd& D
   for (int c = 0; c < A.cols(); ++c) {
     D.segment(d * c, d).setConstant(A.valuePtr()[A.outerIndexPtr()[c]]);  // first in its column
   }
+  for (const LowRankChange::Vector& v : linearization.change_of_A().vectors()) {
+    for (const auto& [rank, a] : v.u) D.segment(d * rank, d).array() += v.s * a * a;
+  }
   for (const ElementDerivatives* part : linearization.derivatives()) part->add_diagonal(D);
 }
 

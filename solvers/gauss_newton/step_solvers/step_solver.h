@@ -33,6 +33,9 @@ class StepSolver {
   virtual ColumnOrder prepare(const Problem& problem);
   /// Computes what depends on the structure alone. Called once for each linearization that is made.
   virtual void compile(const Linearization& linearization) = 0;
+  /// Called after Linearization::change_elements. Returns false if this solver has to be compiled
+  /// again.
+  virtual bool change_elements(const Linearization&) { return false; }
   /// Called whenever J has changed.
   virtual void update(const Linearization& linearization);
 
