@@ -33,6 +33,7 @@ int nearest_free(const Tree& tree, const Eigen::Vector3d& point, const std::vect
 }  // namespace
 
 std::vector<int> nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& V) {
+  if (points.cols() == 0) return {};  // without the time to build the tree
   const Tree tree(3, V);
   std::vector<int> result;
   for (const auto point : points.colwise()) {

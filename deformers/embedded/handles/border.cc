@@ -27,7 +27,7 @@ std::vector<char> fixed_nodes(const FixedPart& part, const Embedding& points, Bo
     is_free[i] = 0;
     if (is_embedded(part, i)) mark(part.vertices, i, 1, result);
   }
-  if (border == Border::kEliminate) return result;
+  if (border == Border::kEliminate || part.fixed.empty()) return result;
   for (std::size_t i = 0; i < is_free.size(); ++i) {
     if (is_free[i]) mark(part.vertices, static_cast<Eigen::Index>(i), 0, result);
   }
