@@ -258,7 +258,8 @@ std::vector<char> EmbeddedDeformation::nodes_at_rest() const {
 }
 
 void EmbeddedDeformation::pin_components() {
-  Pins pins = pin_free_components(graph_, handles_, bounding_box_diagonal(rest_.V), problem_.fixed);
+  Pins pins = pin_free_components(graph_, handles_, bounding_box_diagonal(rest_.V),
+                                  options_.dimension, problem_.fixed);
   at_one_point_ = std::move(pins.at_one_point);
   on_one_line_ = std::move(pins.on_one_line);
   compilation_notes_ = std::move(pins.notes);

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <numbers>
 
 #include "deformers/embedded/embedded_deformation.h"
+#include "deformers/embedded/presets.h"
 #include "geometry/core/error.h"
 #include "tests/support/shapes.h"
 
@@ -72,6 +74,21 @@ TEST(InThePlane, AMotionAlongZIsRefused) {
   Eigen::Matrix3Xd targets = three_places().points;
   targets(2, 1) = 0.3;
   EXPECT_THROW(deformer.update(targets), OptionError);
+}
+
+TEST(InThePlane, HandlesOnALineHoldTheRotation) {
+  const Shape shape = bumpy_plane(20, 1, 0);
+  Handles handles = three_places();
+  handles.points = handles.points.leftCols(2).eval();
+  const Eigen::Matrix3d half_turn =
+      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()).matrix();
+  EmbeddedDeformationOptions options = preset_options();
+  options.dimension = 2;
+  EmbeddedDeformation deformer(shape, options);
+  deformer.compile(handles);
+  const Report report = deformer.update(half_turn * handles.points);
+  EXPECT_THAT(report.notes, ::testing::Not(::testing::Contains(::testing::HasSubstr("pinned"))));
+  EXPECT_LT((deformer.deformed().V - half_turn * shape.V).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 }  // namespace

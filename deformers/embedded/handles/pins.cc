@@ -83,7 +83,7 @@ std::vector<std::string> notes_on_free(const std::vector<Component>& free) {
 }  // namespace
 
 Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles, double extent,
-                         std::vector<char>& fixed) {
+                         int dimension, std::vector<char>& fixed) {
   std::vector<Component> free;
   Pins pins;
   for (const Component& component : find_components(graph, handles, fixed)) {
@@ -99,7 +99,7 @@ Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles
     } else if (!spans_a_plane(places, kNearLine)) {
       pins.on_one_line.push_back(component.handles);
     }
-    if (rank < 2) {
+    if (rank < dimension - 1) {
       pins.notes.push_back(
           fmt::format("{} is pinned {} only, so that nothing tells how it turns about it; give "
                       "'rotate', or a handle beside it",

@@ -26,10 +26,11 @@ struct Pins {
 /// A component of the graph without a handle could move anywhere at no cost. Its nodes are marked
 /// in `fixed` (one entry per node), so that it stays where it is. A component with too few handles
 /// may still rotate about them, which the solvers allow.
-///   handles  the handles that move [length]
-///   extent   the size of the shape [length]
+///   handles    the handles that move [length]
+///   extent     the size of the shape [length]
+///   dimension  2 in the plane, where handles on a line hold a rotation, or 3
 Pins pin_free_components(const DeformationGraph& graph, const Embedding& handles, double extent,
-                         std::vector<char>& fixed);
+                         int dimension, std::vector<char>& fixed);
 
 /// The weights with which a column of an embedding follows nodes that are not fixed, in sum.
 double influence_of_free(const Embedding& embedding, Eigen::Index column,
