@@ -2,11 +2,13 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "geometry/core/options.h"
 
 namespace deformlab {
 
+struct Camera;
 struct RenderOptions;
 
 /// The panels in which the deformation graph, or a drawing's mesh, is shown.
@@ -18,8 +20,7 @@ constexpr auto names_of(PicturedGraph) {
 
 /// What a config's picture shows.
 struct PictureOptions {
-  Eigen::Vector3d direction{0.5, 1.0, -0.6};
-  Eigen::Vector3d up{0, 0, 1};
+  std::optional<Eigen::Vector3d> direction, up;
   Eigen::Vector3d light{-0.8, 0.6, 0.5};
   int width = 800;
   int height = 600;
@@ -31,8 +32,12 @@ struct PictureOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit("direction", o.direction, "The direction of view, from the eye into the scene");
-    visit("up", o.up, "The direction that points up in the picture");
+    visit("direction", o.direction,
+          "The direction of view, from the eye into the scene; without one, the camera looks "
+          "obliquely from above");
+    visit("up", o.up,
+          "The direction that points up in the picture; without one, it is z if `direction` is "
+          "given, and otherwise y or z, on whichever the shape stands");
     visit("light", o.light,
           "The direction toward the main light: to the right, up, and back to the camera");
     visit.range("width", o.width, {.min = 1, .max = 4096},
@@ -54,7 +59,10 @@ struct PictureOptions {
 /// Throws InputError for an impossible direction of view.
 void check(const PictureOptions& options);
 
-/// How a panel of such a picture is rendered.
+/// The direction in which a shape is seen that has the vertices V (3×#V) at rest.
+Camera camera_for(const PictureOptions& options, const Eigen::Matrix3Xd& V);
+
+/// How a panel of such a picture is rendered, apart from its camera.
 RenderOptions render_options(const PictureOptions& options);
 
 }  // namespace deformlab

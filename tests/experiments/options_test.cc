@@ -9,7 +9,9 @@
 #include "experiments/config/config.h"
 #include "experiments/subjects/animation/script.h"
 #include "experiments/subjects/experiment.h"
+#include "experiments/subjects/picture_options.h"
 #include "experiments/subjects/shape/edit.h"
+#include "render/camera.h"
 
 namespace deformlab {
 namespace {
@@ -50,6 +52,23 @@ TEST(AllOptions, HaveUnitsOfOneList) {
           << field.name << ": " << field.meaning;
     }
   }
+}
+
+TEST(PictureOptions, TheCameraLooksFromAboveWhicheverAxisIsUp) {
+  Eigen::Matrix3Xd pyramid(3, 5);
+  pyramid << 0, 1, 0, 1, 0.5, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0.5;  // its top is at y = 1
+  PictureOptions options;
+  Camera camera = camera_for(options, pyramid);
+  EXPECT_EQ(camera.up, Eigen::Vector3d(0, 1, 0));
+  EXPECT_LT((camera.direction - Eigen::Vector3d(0.5, -0.6, -1)).norm(), 1e-12);
+  EXPECT_EQ(camera_for(options, Eigen::Matrix3Xd(3, 0)), Camera()) << "z is up by default";
+  options.up = Eigen::Vector3d(0, 0, 1);
+  EXPECT_EQ(camera_for(options, pyramid), Camera());
+  options.up.reset();
+  options.direction = Eigen::Vector3d(1, 0, 0);
+  camera = camera_for(options, pyramid);
+  EXPECT_EQ(camera.direction, *options.direction);
+  EXPECT_EQ(camera.up, Camera().up) << "as ever where a direction is given";
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ class MeshSubject : public Subject {
     auto& pictures = dynamic_cast<AnimationBook&>(book);
     const FrameNumber first = range().first;
     update(frames_->read(first), first);  // the graph of this frame
-    pictures.look_by(render_options(options_.picture).camera);
+    pictures.look_by(camera_for(options_.picture, pose_.V));
     pictures.add(*seen_, deformer_->deformation().graph(), caption);
   }
 

@@ -93,7 +93,8 @@ class ParticleSubject : public Subject {
 
   void draw(Book& book, const std::string& caption) override {
     auto& pictures = dynamic_cast<AnimationBook&>(book);
-    pictures.look_by(render_options(options_.picture).camera);
+    pictures.look_by(
+        camera_for(options_.picture, Eigen::Matrix3Xd(3, 0)));  // a path stands on nothing
     pictures.add(*seen_, editor_->stream().deformation().graph(), caption);
   }
 

@@ -118,7 +118,7 @@ class ShapeSubject : public Subject {
 
   void draw(Book& book, const std::string& caption) override {
     auto& pictures = dynamic_cast<PictureBook&>(book);
-    pictures.look_by(render_options(options_.picture).camera);
+    pictures.look_by(camera_for(options_.picture, rest_.V));
     if (pictures.empty()) pictures.add_rest(*deformer_, rest_, edit_);
     pictures.add_deformed(*deformer_, edit_, caption);
   }
