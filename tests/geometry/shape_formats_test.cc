@@ -253,6 +253,12 @@ TEST(Stl, SaysWhatIsWrong) {
               HasSubstr("facet 1"));
   EXPECT_THAT(reading("a.stl", std::string(80, ' ') + "\xff\xff\xff\xff"), HasSubstr("announces"));
   EXPECT_THAT(reading("a.stl", "x"), HasSubstr("too short"));
+  for (const std::string facets : {"",
+                                   "facet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\n"
+                                   "vertex 0 1 0\nendfacet\n"}) {
+    EXPECT_THAT(reading("a.stl", "solid a\n" + facets + "vertex 1 2 3\nendsolid a\n"),
+                HasSubstr("after its last facet"));
+  }
 }
 
 TEST(Stl, CutAnywhereABinaryFileIsRejected) {

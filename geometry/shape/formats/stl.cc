@@ -70,6 +70,9 @@ class TextReader {
     if (layout_.normals.values.size() != 3 * facets_) {
       cannot_read(name_, "its last facet has no endfacet");
     }
+    if (layout_.positions.values.size() != 9 * facets_) {
+      cannot_read(name_, "a vertex stands after its last facet");
+    }
     note_leftovers(notes, "lines of unknown kinds", unknown_, "are kept as they are");
     return std::move(layout_);
   }
