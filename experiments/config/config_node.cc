@@ -120,10 +120,13 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-/// Quotes the text if necessary. The emitter does not quote tabs and carriage returns, which would
-/// then not be read again.
+/// Quotes the text if necessary. The emitter does not quote tabs, carriage returns and the marks of
+/// documents, which would then not be read again.
 void emit_text(YAML::Emitter& out, const std::string& text, bool quoted) {
-  if (quoted || text.find_first_of("\t\r") != std::string::npos) out << YAML::DoubleQuoted;
+  const bool is_mark = text.starts_with("---") || text.starts_with("...");
+  if (quoted || is_mark || text.find_first_of("\t\r") != std::string::npos) {
+    out << YAML::DoubleQuoted;
+  }
   out << text;
 }
 

@@ -149,7 +149,9 @@ TEST(Config, ResolvedConfigReadsBackTheSame) {
   const Options again = read(to_yaml(to_node(read(kFull))));
   EXPECT_EQ(again.claims[0].name, "it's: \"rotated\"\n#1");
   EXPECT_EQ(again.claims[1].name, "~x");
-  EXPECT_EQ(parse(to_yaml(to_node(std::string("a\tb\r\n")))).text, "a\tb\r\n");
+  for (const std::string text : {"a\tb\r\n", "---", "...", "--- a"}) {
+    EXPECT_EQ(parse(to_yaml(to_node(text))).text, text);
+  }
   EXPECT_EQ(again.length_unit, std::nullopt);
   EXPECT_EQ(again.parts.size(), 2u);
   EXPECT_EQ(again.parts.at("tail").seed, 2u);
