@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -70,14 +71,17 @@ SvgNames::SvgNames(const std::string& bytes, const std::filesystem::path& name) 
   std::vector<pugi::xml_node> copies;
   collect(marked.document_element(), copies);
   std::vector<std::string> ids;
+  std::map<std::string, int> bearers;  // of each id
+  for (const auto& found : marked.select_nodes("//@id")) ++bearers[found.attribute().value()];
   for (pugi::xml_node& copy : copies) {
     ids.push_back(fmt::format("deformlab-{}", ids.size()));
     if (!copy.attribute("id")) copy.append_attribute("id");
     // A reference or a rule of a style sheet may need the id, and an id may stand twice.
     const std::string own = copy.attribute("id").value();
-    const std::string path = fmt::format("//*[@id='{}']", own);
-    const bool twice = own.find('\'') != own.npos || marked.select_nodes(path.c_str()).size() > 1;
-    if (own.empty() || twice) copy.attribute("id").set_value(ids.back().c_str());
+    if (own.empty() || bearers[own] > 1) {
+      copy.attribute("id").set_value(ids.back().c_str());
+      --bearers[own];
+    }
     ids.back() = copy.attribute("id").value();
   }
   std::ostringstream text;
