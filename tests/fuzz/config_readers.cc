@@ -1,5 +1,8 @@
 #include <set>
 
+#include "deformers/arap_2d/arap_2d.h"
+#include "deformers/embedded/embedded_deformation.h"
+#include "deformers/embedded/presets.h"
 #include "experiments/config/config.h"
 #include "experiments/config/override.h"
 #include "experiments/subjects/animation/script.h"
@@ -38,15 +41,29 @@ RunOptions options_of(void (*load)(const std::filesystem::path&, ConfigNode&),
   return read_run_options(root);
 }
 
+void deform(Deformer& deformer, const ResolvedEdit& edit) {
+  deformer.compile(edit.handles);
+  deformer.update(edit.targets);
+  expect(deformer.deformed().V.allFinite(), "a deformed shape is finite");
+}
+
 void read_shape_edit(const std::string& bytes) {
-  resolve(read_edit(options_of(put_edit, bytes).edit), test::bumpy_plane(4));
+  const Shape rest = test::bumpy_plane(4);
+  const ResolvedEdit edit = resolve(read_edit(options_of(put_edit, bytes).edit), rest);
+  EmbeddedDeformationOptions options = preset_options();
+  options.graph.nodes = 6;
+  EmbeddedDeformation deformer(rest, options);
+  deform(deformer, edit);
 }
 
 void read_drawing_edit(const std::string& bytes) {
   const Triangulation rest = test::grid_mesh(4, {0, 0}, {9, 9});
   const auto belongs = [](const Eigen::Vector2d& point) { return point.norm() < 20; };
   const auto entries = read_plane_edit(options_of(put_edit, bytes).edit);
-  with_circles([&] { resolve(on_mesh(entries, rest, belongs), rest); });
+  const ResolvedEdit edit =
+      with_circles([&] { return resolve(on_mesh(entries, rest, belongs), rest); });
+  Arap2d deformer(rest, {}, {});
+  deform(deformer, edit);
 }
 
 void read_animation_edit(const std::string& bytes) {

@@ -65,6 +65,11 @@ Texts png_samples() {
           with_chunks(plain, test::chunk("pHYs", "\0\0\0\1\0\0\0\2\1"s), 1)};
 }
 
+Texts png_words() {
+  return {"IHDR", "PLTE", "tRNS", "IDAT", "IEND", "iCCP", "eXIf",
+          "pHYs", "gAMA", "sRGB", "tEXt", "zTXt", "iTXt", "acTL"};
+}
+
 Texts jpeg_samples() {
   const std::string plain = test::jpeg(test::halves());
   const std::string profile = "ICC_PROFILE\0\1\1"s + test::profile("RGB ");
@@ -168,11 +173,7 @@ Texts image_samples() { return {png(small_disc()), test::jpeg(test::disc(9, 9, {
 std::vector<Reader> drawing_readers() {
   return {
       {"png", [](const std::string& bytes) { read_image_file(with_right_checksums(bytes)); },
-       png_samples,
-       [] {
-         return Texts{"IHDR", "PLTE", "tRNS", "IDAT", "IEND", "iCCP", "eXIf",
-                      "pHYs", "gAMA", "sRGB", "tEXt", "zTXt", "iTXt", "acTL"};
-       }},
+       png_samples, png_words},
       {"jpeg", read_image_file, jpeg_samples,
        [] {
          return Texts{"\xff\xd8", "\xff\xe1", "\xff\xe2", "Exif\0\0"s, "ICC_PROFILE\0"s};
@@ -181,7 +182,7 @@ std::vector<Reader> drawing_readers() {
        [] { return Texts{"RIFF", "WEBP", "VP8 ", "VP8L", "VP8X", "ICCP", "EXIF", "ALPH"}; }},
       {"image_drawing",
        [](const std::string& bytes) { make_scene("image.png", with_right_checksums(bytes)); },
-       image_samples},
+       image_samples, png_words},
       {"svg", [](const std::string& bytes) { read_svg(bytes, "drawing.svg"); }, svg_samples,
        svg_words},
       {"svg_names", [](const std::string& bytes) { const SvgNames names(bytes, "drawing.svg"); },

@@ -112,6 +112,9 @@ std::vector<Reader> list_readers() {
       {"manifest", read_manifest,
        [] {
          return Texts{Manifest::text({"picture.png", "frames/0.png"})};
+       },
+       [] {
+         return Texts{"picture.png\n", "frames", "/", "..", "\n"};
        }},
       {"resume", read_resume_file, resume_samples,
        [] {

@@ -17,7 +17,7 @@ struct Reader {
   /// Small inputs that are read without an error. The fuzzer begins with them.
   std::function<Texts()> samples;
   /// What such inputs are made of. The fuzzer puts these words into its inputs.
-  std::function<Texts()> words = [] { return Texts(); };
+  std::function<Texts()> words;
 };
 
 /// All readers. A new reader gets an entry in the list of its kind.

@@ -21,6 +21,7 @@ std::string name_of_reader(const ::testing::TestParamInfo<Reader>& info) { retur
 TEST_P(Readers, ReadTheirSamples) {
   const Texts samples = GetParam().samples();
   ASSERT_FALSE(samples.empty());
+  EXPECT_FALSE(GetParam().words().empty());  // libFuzzer takes no empty dictionary
   for (const std::string& sample : samples) EXPECT_NO_THROW(GetParam().read(sample)) << sample;
 }
 

@@ -32,7 +32,7 @@ fuzz_reader() {
   before=$(find "$its/findings" -type f | wc -l)
   DEFORMLAB_READER=$1 "$programs/fuzz_readers" "$its/corpus" "$its/samples" \
     -dict="$its/words.dict" -artifact_prefix="$its/findings/" -max_total_time="$seconds" \
-    -max_len=4096 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 >"$its/log" 2>&1 || true
+    -max_len=4096 -timeout=10 -report_slow_units=1000 -rss_limit_mb=2048 -print_final_stats=1 >"$its/log" 2>&1 || true
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$its/log")
   found=$(($(find "$its/findings" -type f | wc -l) - before))
   printf '%-16s %10d runs %4d findings\n' "$1" "${runs:-0}" "$found"
