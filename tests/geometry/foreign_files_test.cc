@@ -116,6 +116,12 @@ TEST(ForeignFiles, SmallFacesAndUnknownLinesOfAnObjAreNamedOnceAndKept) {
   EXPECT_EQ(turned("a.obj", text), "v 0 0 0 1\nv 0 1 0 0.5\nv -1 0 0 1 0 0\n" + rest);
 }
 
+TEST(ForeignFiles, ALineToAVertexWithoutAPositionKeepsItsNormal) {
+  const std::string faces = "f 1//1 2//1 3//1\nf 4//1 1//1\n";
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan nan nan\nvn 1 0 0\n" + faces;
+  EXPECT_THAT(turned("a.obj", text), ::testing::EndsWith(" 1 0\n" + faces));
+}
+
 TEST(ForeignFiles, NormalsThatAreNotFiniteStay) {
   const std::string text =
       std::string(kTriangle) + "vn nan nan nan\nvn 0 0 1\nvn 1 0 0\nf 1//1 2//2 3//3\n";

@@ -37,8 +37,8 @@ struct Attribute {
 /// A corner of a face with a normal of its own, as OBJ has them.
 struct CornerNormal {
   std::size_t at = 0;  ///< where the file states the normal's index
-  int vertex = 0;
-  int normal = 0;  ///< its index, counted from 0
+  int vertex = 0;      ///< −1: it has no position, in a face of one or two corners
+  int normal = 0;      ///< its index, counted from 0
   std::uint8_t digits = 0;
   bool relative = false;  ///< the file counts the index backwards
 };

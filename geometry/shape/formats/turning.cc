@@ -62,8 +62,8 @@ class CornerNormals {
   std::vector<Edit> edits(std::string_view bytes) {
     for (const CornerNormal& corner : layout_.corners) {
       const Eigen::Vector3d normal = of(corner.normal);
-      indices_.push_back(normal.allFinite() ? index_of(corner.normal, corner.vertex, normal)
-                                            : corner.normal);
+      const bool turns = corner.vertex >= 0 && normal.allFinite();
+      indices_.push_back(turns ? index_of(corner.normal, corner.vertex, normal) : corner.normal);
     }
     for (std::size_t c = 0; c < indices_.size(); ++c) name(layout_.corners[c], indices_[c]);
     if (!copies_.empty()) insert_copies(bytes);
