@@ -28,6 +28,7 @@ const deformlab::fuzz::Reader& chosen_reader() {
 
 }  // namespace
 
+// NOLINTBEGIN(readability-identifier-naming): libFuzzer chose the name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const deformlab::fuzz::Reader& reader = chosen_reader();
@@ -37,3 +38,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return 0;
 }
+// NOLINTEND(readability-identifier-naming)

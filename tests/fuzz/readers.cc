@@ -51,7 +51,7 @@ const fs::path& private_folder() {
 }
 
 fs::path put(const std::string& name, const std::string& bytes) {
-  const fs::path path = private_folder() / name;
+  fs::path path = private_folder() / name;
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   if (!file.write(bytes.data(), std::ssize(bytes)) || !file.flush()) {
     throw std::runtime_error(fmt::format("cannot write {}", path.string()));

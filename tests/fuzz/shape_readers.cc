@@ -20,7 +20,7 @@ void read_and_rewrite(const std::string& extension, const std::string& bytes) {
   expect(read_shape(copy).V == shape.V, "a copy has the positions that were written");
 }
 
-Reader reader_of(const std::string& name, std::function<Texts()> samples, Texts words) {
+Reader reader_of(const std::string& name, std::function<Texts()> samples, const Texts& words) {
   return {name, [name](const std::string& bytes) { read_and_rewrite("." + name, bytes); },
           std::move(samples), [words] { return words; }};
 }
