@@ -26,19 +26,19 @@ TEST_F(SvgWork, OfNestedUsesIsBounded) {
   expect_too_much("<defs>" + text + "</defs><use xlink:href=\"#a29\"/>", "objects");
 }
 
-/// A path of 20,000 corners, and the marker m.
-std::string long_path(const std::string& attributes) {
-  std::string path = "M10 10";
-  for (int i = 0; i < 10'000; ++i) path += "h" + std::to_string(i % 2 == 0 ? 9 : -9) + "v.1";
-  return R"(<marker id="m" markerWidth="5" markerHeight="5"><path d="M0 0h3v3z"/></marker>)"
-         "<path id=\"p\" " +
-         attributes + " d=\"" + path + "\"/>";
+/// A path of 60 corners, and the marker m of 2,000 objects.
+std::string marked_path(const std::string& attributes) {
+  std::string path = "M10 10", objects;
+  for (int i = 0; i < 30; ++i) path += "h" + std::to_string(i % 2 == 0 ? 90 : -90) + "v4";
+  for (int i = 0; i < 2000; ++i) objects += R"(<rect width="3" height="3"/>)";
+  return R"(<marker id="m" markerWidth="5" markerHeight="5">)" + objects +
+         "</marker><path id=\"p\" " + attributes + " d=\"" + path + "\"/>";
 }
 
 TEST_F(SvgWork, OfMarkersIsBounded) {
-  const std::string path = long_path("");
-  expect_too_much(long_path("marker-mid=\"url(#m)\""), "objects");
-  expect_too_much(long_path("style=\"marker:url('#m')\""), "objects");
+  const std::string path = marked_path("");
+  expect_too_much(marked_path("marker-mid=\"url(#m)\""), "objects");
+  expect_too_much(marked_path("style=\"marker:url('#m')\""), "objects");
   expect_too_much("<style>path{marker-mid:url(#m)}</style>" + path, "objects");
   expect_too_much("<style>#p:nth-child(2){marker-mid:url(#m)}</style>" + path, "objects");
   expect_too_much("<style>@media all{path{marker-mid:url(#m)}}</style>" + path, "objects");
@@ -52,7 +52,7 @@ TEST_F(SvgWork, OfMarkersThatAreNotDrawnIsNotCounted) {
   for (const std::string sheet :
        {"path{marker-start:url(#m);marker-end:url(#m)}", "g{marker-mid:url(#m)}",
         "path{marker-mid:url(#m)}path{marker-mid:none}", ".other{marker:url(#m)}"}) {
-    put("a.svg", kBegin + "<style>" + sheet + "</style>" + long_path("") + "</svg>");
+    put("a.svg", kBegin + "<style>" + sheet + "</style>" + marked_path("") + "</svg>");
     expect_success({"deform", "a.svg", "--edit", "bend.yaml", "--out", "o.png"});
   }
 }
