@@ -154,7 +154,7 @@ Way update_with_new_handle(const std::string& name, EmbeddedDeformation own, boo
             moved.rightCols<1>() =
                 deformation->deformed().V.col(deformation->deformed().V.cols() / 2);
             moved(2, moved.cols() - 1) += kDrag;
-            const RunResult result = update_without_transfer(*deformation, moved);
+            RunResult result = update_without_transfer(*deformation, moved);
             deformation->begin_at(at_rest);
             deformation->compile(reference_scene().handles);
             return result;
