@@ -20,7 +20,8 @@ class Solver {
   /// Adapts to a term whose energy was replaced, because its elements are others, such as handles
   /// that were added or removed. All else has to be as it was compiled. Returns false if the
   /// problem has to be compiled again: this solver cannot adapt, or too much has changed since the
-  /// last compilation. Throws InputError for a term that `check` refuses.
+  /// last compilation. `solve` then refuses the problem until it is compiled. Throws InputError for
+  /// a term that `check` refuses.
   virtual bool change_elements(const Problem& /*problem*/, std::size_t /*term*/) { return false; }
   /// Throws InputError unless the compiled problem has the same nodes and number of terms.
   virtual Summary solve(Problem& problem) = 0;

@@ -26,10 +26,14 @@ void GaussNewton::compile(const Problem& problem) {
 }
 
 bool GaussNewton::change_elements(const Problem& problem, std::size_t term) {
-  if (!iterate_) return false;
   check_term(problem, term);
-  if (!linearization_->change_elements(problem, term)) return false;
-  return steps_->change_elements(*linearization_);
+  if (!iterate_) return false;
+  if (linearization_->change_elements(problem, term) && steps_->change_elements(*linearization_)) {
+    return true;
+  }
+  iterate_.reset();  // what was compiled refers to the energy that was replaced
+  linearization_.reset();
+  return false;
 }
 
 void GaussNewton::start(Problem& problem) {

@@ -74,8 +74,7 @@ class Allocations : public ::testing::Test {
     std::iota(left.begin(), left.end(), count);
     sample.handles = subset(sample.handles, left);
     Problem fewer = make_problem(sample, twisted(sample.handles, 1.5, 3));
-    std::size_t i = 0;
-    while (problem.terms[i].energy->name() != "constraint") ++i;
+    const std::size_t i = index_of_term(problem, "constraint");
     problem.terms[i].energy = std::move(fewer.terms[i].energy);
     EXPECT_TRUE(solver.change_elements(problem, i));
   }

@@ -26,15 +26,9 @@ Problem problem_of(const Sample& sample) {
   return make_problem(sample, none ? sample.handles.v : twisted(sample.handles, 0.4, 0.3));
 }
 
-std::size_t constraint_of(const Problem& problem) {
-  std::size_t i = 0;
-  while (problem.terms[i].energy->name() != "constraint") ++i;
-  return i;
-}
-
 // Gives `problem` the handles of another one.
 std::size_t replace_handles(Problem& problem, const Sample& sample) {
-  const std::size_t i = constraint_of(problem);
+  const std::size_t i = index_of_term(problem, "constraint");
   problem.terms[i] = std::move(problem_of(sample).terms[i]);
   return i;
 }
@@ -126,14 +120,20 @@ TEST(ChangeElements, AreRefusedWhereACompilationIsNeeded) {
   const Sample few = with_handles(kAll, {0, 1, 2, 3});
   Problem problem = problem_of(few);
   const auto solver = make_solver(to_the_end("kronecker_cg"));
-  const std::size_t i = constraint_of(problem);
+  const std::size_t i = index_of_term(problem, "constraint");
   EXPECT_FALSE(solver->change_elements(problem, i)) << "nothing is compiled";
   solver->compile(problem);
   EXPECT_TRUE(solver->change_elements(problem, i)) << "nothing has changed";
   replace_handles(problem, with_handles(kAll, numbers(0, 13)));
   EXPECT_FALSE(solver->change_elements(problem, i)) << "nine handles are new";
+  EXPECT_THROW(solver->solve(problem), InputError) << "it is not compiled";
+  replace_handles(problem, few);
+  solver->compile(problem);
   replace_handles(problem, with_handles(kAll, {}));
   EXPECT_FALSE(solver->change_elements(problem, i)) << "no handle is left, so A is singular";
+  EXPECT_THROW(solver->solve(problem), InputError) << "it is not compiled";
+  replace_handles(problem, few);
+  solver->compile(problem);
   EXPECT_FALSE(solver->change_elements(problem, i == 0 ? 1 : 0)) << "a nonlinear term";
   EXPECT_THROW(solver->change_elements(problem, problem.terms.size()), InputError);
   for (const SolverOptions& options :

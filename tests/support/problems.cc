@@ -42,9 +42,14 @@ Summary solve(Problem& problem, const SolverOptions& options) {
   return solver->solve(problem);
 }
 
+std::size_t index_of_term(const Problem& problem, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      problem.terms, [&](const auto& one) { return one.energy->name() == name; });
+  return found - problem.terms.begin();
+}
+
 WeightedEnergy& term(Problem& problem, std::string_view name) {
-  return *std::ranges::find_if(problem.terms,
-                               [&](const auto& one) { return one.energy->name() == name; });
+  return problem.terms[index_of_term(problem, name)];
 }
 
 SparseSystem reference(const Problem& problem, const Unknowns& x) {

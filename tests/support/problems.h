@@ -22,7 +22,8 @@ SolverOptions ceres_with(const std::string& linear_solver, double epsilon = 1e-6
 /// Compiles and solves; the result is left in the problem.
 Summary solve(Problem& problem, const SolverOptions& options);
 
-/// The term of this name.
+/// The term of this name, and its place among the terms.
+std::size_t index_of_term(const Problem& problem, std::string_view name);
 WeightedEnergy& term(Problem& problem, std::string_view name);
 
 /// The problem's residuals and Jacobian over all entries of X.

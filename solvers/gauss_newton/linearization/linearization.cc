@@ -90,7 +90,7 @@ bool Linearization::change_elements(const Problem& problem, std::size_t term) {
   if (change.rank() > LowRankChange::kMostRank) return false;
   change_of_A_ = std::move(change);
   part = std::move(next);
-  set_targets();
+  part.set_targets();
   return true;
 }
 

@@ -41,7 +41,7 @@ class LowRankChange {
   std::vector<Vector> vectors_;
 };
 
-/// Uᵀ x for a vector u over the free columns, for all coordinates of x at once.
+/// uᵀ x for a vector u over the free columns, for all coordinates of x at once.
 Eigen::Vector4d product(const std::vector<LowRankChange::Entry>& u, const ColumnBlock& x);
 
 }  // namespace deformlab
