@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 
+#include "energies/graph/context_handles.h"
 #include "geometry/graph/deformation_graph.h"
 #include "geometry/shape/shape.h"
 #include "geometry/transfer/embedding.h"
@@ -15,26 +16,6 @@ enum class NodeModel { kAffine, kRigid };
 inline const Embedding kNoPoints{};
 inline const Shape kNoShape{};
 inline const Eigen::VectorXd kNoFactors{};
-
-/// The handles of a GraphContext. It notices when a term reads them, because such a term has to be
-/// made again when handles are added or removed.
-class ContextHandles {
- public:
-  ContextHandles(const Embedding& handles) : handles_(&handles) {}  // NOLINT: converts as it reads
-  operator const Embedding&() const { return read(); }
-  const Embedding* operator->() const { return &read(); }
-  bool were_read() const { return were_read_; }
-  void forget() const { were_read_ = false; }
-
- private:
-  const Embedding& read() const {
-    were_read_ = true;
-    return *handles_;
-  }
-
-  const Embedding* handles_;
-  mutable bool were_read_ = false;
-};
 
 /// What the terms over a deformation graph are summed over. Nothing is copied, so that all objects
 /// have to exist until the sum is made.

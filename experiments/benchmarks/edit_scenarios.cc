@@ -68,26 +68,14 @@ std::vector<Scenario> edit_scenarios() {
        [](int nodes) { return drag_with_preset(nodes, Preset::kDefault); },
        [](int nodes) { return drag_with_preset(nodes, Preset::kSumner2007); }, 2},
       {"a handle added or removed", "a full compilation", "nodes", sizes,
-       [=](int nodes) {
-         return change_handle("adapted", reference_deformation(nodes, ours), false);
-       },
-       [=](int nodes) {
-         return change_handle("afresh", reference_deformation(nodes, ours), true);
-       }},
+       [=](int nodes) { return change_handle(reference_deformation(nodes, ours)); },
+       [=](int nodes) { return full_compilation(reference_deformation(nodes, ours)); }},
       {"a handle added or removed with the preset default", "a full compilation", "nodes", sizes,
-       [](int nodes) {
-         return change_handle("adapted", preset_deformation(nodes, Preset::kDefault), false);
-       },
-       [](int nodes) {
-         return change_handle("afresh", preset_deformation(nodes, Preset::kDefault), true);
-       }},
+       [](int nodes) { return change_handle(preset_deformation(nodes, Preset::kDefault)); },
+       [](int nodes) { return full_compilation(preset_deformation(nodes, Preset::kDefault)); }},
       {"the update after a handle was added", "the same after a full compilation", "nodes", sizes,
-       [=](int nodes) {
-         return update_with_new_handle("adapted", reference_deformation(nodes, ours), false);
-       },
-       [=](int nodes) {
-         return update_with_new_handle("afresh", reference_deformation(nodes, ours), true);
-       }},
+       [=](int nodes) { return update_with_new_handle(reference_deformation(nodes, ours), false); },
+       [=](int nodes) { return update_with_new_handle(reference_deformation(nodes, ours), true); }},
       {"from rest with the transfer", "CGAL", "nodes", sizes, with_transfer,
        [](int) { return cgal_arap_from_rest(); }},
   };

@@ -121,16 +121,21 @@ Way drag_with_preset(int nodes, Preset preset) {
   return drag_of(fmt::format("preset {}", name_of(preset)), preset_deformation(nodes, preset));
 }
 
-Way change_handle(const std::string& name, EmbeddedDeformation own, bool afresh) {
+Way full_compilation(EmbeddedDeformation own) {
+  auto deformation = std::make_shared<EmbeddedDeformation>(std::move(own));
+  return {"afresh", [deformation] {
+            RunResult result;
+            result.ms = compile_ms(*deformation);
+            return result;
+          }};
+}
+
+Way change_handle(EmbeddedDeformation own) {
   auto deformation = std::make_shared<EmbeddedDeformation>(std::move(own));
   deformation->compile(reference_scene().handles);
-  return {name, [deformation, afresh] {
-            RunResult result;
-            if (afresh) {
-              result.ms = compile_ms(*deformation);
-              return result;
-            }
+  return {"adapted", [deformation] {
             const Handles more = with_middle_handle();
+            RunResult result;
             result.ms = ms_of([&] {
                           deformation->compile(more);
                           deformation->compile(reference_scene().handles);
@@ -140,22 +145,22 @@ Way change_handle(const std::string& name, EmbeddedDeformation own, bool afresh)
           }};
 }
 
-Way update_with_new_handle(const std::string& name, EmbeddedDeformation own, bool afresh) {
+Way update_with_new_handle(EmbeddedDeformation own, bool afresh) {
   auto deformation = std::make_shared<EmbeddedDeformation>(std::move(own));
   deformation->compile(reference_scene().handles);
   deformation->update(targets(0, 0));
-  return {name, [deformation, afresh, at_rest = deformation->transformations()] {
-            deformation->begin_at(at_rest);
+  return {afresh ? "afresh" : "adapted",
+          [deformation, afresh, lifted = deformation->transformations()] {
+            const Handles more = with_middle_handle();
             if (afresh) deformation->reset();
-            deformation->compile(with_middle_handle());
-            deformation->begin_at(at_rest);
+            deformation->compile(more);
+            deformation->begin_at(lifted);
             Eigen::Matrix3Xd moved = targets(0, 0);
             moved.conservativeResize(3, moved.cols() + 1);
-            moved.rightCols<1>() =
-                deformation->deformed().V.col(deformation->deformed().V.cols() / 2);
+            moved.rightCols<1>() = deformation->deformed().V.col(more.moved.back());
             moved(2, moved.cols() - 1) += kDrag;
             RunResult result = update_without_transfer(*deformation, moved);
-            deformation->begin_at(at_rest);
+            deformation->begin_at(lifted);
             deformation->compile(reference_scene().handles);
             return result;
           }};

@@ -35,12 +35,16 @@ Way drag_with_preset(int nodes, Preset preset);
 /// The reference scene with the graph, the weights and the start of a preset.
 EmbeddedDeformation preset_deformation(int nodes, Preset preset);
 
+/// A compilation of all handles at rest.
+Way full_compilation(EmbeddedDeformation deformation);
+
 /// A handle in the middle of the plane is added or removed, without the update: half the time that
-/// both take together. Or, if `afresh`, a full compilation.
-Way change_handle(const std::string& name, EmbeddedDeformation deformation, bool afresh);
+/// both take together.
+Way change_handle(EmbeddedDeformation deformation);
 
 /// The update after such a handle was added and moved by 1 % of the side, without the transfer.
-Way update_with_new_handle(const std::string& name, EmbeddedDeformation deformation, bool afresh);
+///   afresh  whether all handles are compiled instead
+Way update_with_new_handle(EmbeddedDeformation deformation, bool afresh);
 
 /// The mean time of a step of a solve from rest, without our compilation or Ceres' preprocessing.
 Way step(int nodes, const SolverOptions& options);

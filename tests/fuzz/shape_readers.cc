@@ -52,9 +52,9 @@ Texts ply_samples() {
   std::string big = "ply\nformat binary_big_endian 1.0\n" + vertices +
                     "property float z\nelement face 0\nproperty list uchar int vertex_indices\n"
                     "end_header\n";
-  big.append(35, '\0').append("\x3f\x80\0\0", 1).append("\0", 1);
+  big.append(36, '\0');  // three vertices
   return {formats::print_ply(plane()), "ply\nformat ascii 1.0\n" + vertices + faces + numbers,
-          splats, big.substr(0, big.size() - 1)};
+          splats, big};
 }
 
 Texts stl_samples() {
