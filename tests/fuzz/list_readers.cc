@@ -1,7 +1,10 @@
 #include <fmt/format.h>
+#include <gflags/gflags.h>
 
 #include <filesystem>
+#include <sstream>
 
+#include "experiments/commands/flags.h"
 #include "experiments/commands/manifest.h"
 #include "experiments/commands/results.h"
 #include "experiments/subjects/animation/frame_pattern.h"
@@ -34,6 +37,16 @@ void read_particles(const std::string& bytes) {
     rows.moved(row->position + Eigen::Vector3d::Ones());
   }
   sample_path(cache, find_path(cache, {}), 5);
+}
+
+/// A command line with one argument a line.
+void read_flags(const std::string& bytes) {
+  const gflags::FlagSaver flags;  // the next input finds the flags as this one did
+  std::vector<std::string> arguments;
+  std::istringstream lines(bytes);
+  for (std::string line; std::getline(lines, line);) arguments.push_back(line);
+  const std::size_t words = parse_flags(arguments).words.size();
+  expect(words <= arguments.size(), "each word is an argument");
 }
 
 void read_frame_pattern(const std::string& bytes) {
@@ -104,6 +117,13 @@ std::vector<Reader> list_readers() {
                       "4,4,\"d\"\"e\",9,1,7\r\n"};
        },
        [] { return Texts{"frame", "id", "x", "y", "z", ",", "\"", "\"\"", "nan", "\r", "+1"}; }},
+      {"flags", read_flags,
+       [] {
+         return Texts{"deform\na.obj\n--out=b.obj\n-edit\nc.yaml\n--strict\n--nodes\n99\n"};
+       },
+       [] {
+         return Texts{"--", "\n--nodes", "\n--strict=", "\n--out=", "-1", "true", "2147483648"};
+       }},
       {"frame_pattern", read_frame_pattern,
        [] {
          return Texts{"horse-%03d.obj", "a/b%d"};
