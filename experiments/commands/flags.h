@@ -14,8 +14,8 @@ struct Flags {
   CommandLine line{};                 ///< the values of the other flags; without an input
 };
 
-/// Reads `--name value`, `--name=value` and `--name` anywhere among the words. Throws InputError for
-/// an unknown flag, for one without its value, and for a value of the wrong type.
+/// Reads `--name value`, `--name=value` and `--name` anywhere among the words. Throws InputError
+/// for an unknown flag, for one without its value, and for a value of the wrong type.
 Flags parse_flags(const std::vector<std::string>& arguments);
 
 }  // namespace deformlab

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
+#include <malloc.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "experiments/commands/commands.h"
 #include "experiments/commands/flags.h"
@@ -40,6 +42,15 @@ int dispatch(const Flags& flags) {
       fmt::format("unknown command {}; {}", quote(command), known_names(command, kCommands)));
 }
 
+// The arrays of a large shape have many megabytes each. The GNU library would give each of them
+// back to the system, which clears the pages of the next one, in a quarter of the time of a run.
+void keep_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
+
 int run_command_line(const std::vector<std::string>& arguments) {
   // By default only warnings are shown, without the prefix that a log file needs.
   FLAGS_logtostderr = true;
@@ -58,6 +69,7 @@ int run_command_line(const std::vector<std::string>& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_memory();
   return run_program("deformlab", [&] {
     return run_command_line({argv + std::min(argc, 1), argv + argc});
   });

@@ -18,35 +18,41 @@ namespace {
 constexpr double kMissed = 0.02;    // of the edit's motion
 constexpr double kRounding = 1e-6;  // of the shape's diagonal
 constexpr double kTorn = 5;         // times the stretch around an edge
-constexpr double kOpen = 0.5;       // mean edges between the two sides of a seam
+constexpr double kOpen = 0.5;       // mean sides of faces between the two sides of a seam
 
 using Edge = std::pair<int, int>;
 
-std::vector<Edge> edges_of(const Shape& shape) {
-  std::vector<Edge> edges;
+// Calls visit(edge) for every side of every face, so that most edges come twice.
+template <class Visit>
+void for_each_side(const Shape& shape, Visit&& visit) {
   for (const auto& face : shape.faces) {
     for (std::size_t c = 0; c < face.size(); ++c) {
-      edges.push_back(std::minmax(face[c], face[(c + 1) % face.size()]));
+      visit(Edge(std::minmax(face[c], face[(c + 1) % face.size()])));
     }
   }
+}
+
+void sort_out(std::vector<Edge>& edges) {
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
 }
 
 double length(const Eigen::Matrix3Xd& V, const Edge& edge) {
   return (V.col(edge.first) - V.col(edge.second)).norm();
 }
 
+// The mean length of the faces' sides at rest.
+double mean_side(const Shape& rest) {
+  double sum = 0;
+  std::size_t count = 0;
+  for_each_side(rest, [&](const Edge& edge) { sum += length(rest.V, edge), ++count; });
+  return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+
 // The stretch of edges: their lengths divided by those at rest.
 class Stretch {
  public:
-  Stretch(const Shape& rest, const Eigen::Matrix3Xd& V)
-      : rest_(rest), V_(V), edges_(edges_of(rest)), of_vertex_(rest.V.cols()) {
-    for (const Edge& edge : edges_) mean_ += length(rest.V, edge) / edges_.size();
-  }
-
-  double mean_edge() const { return mean_; }
+  Stretch(const Shape& rest, const Eigen::Matrix3Xd& V) : rest_(rest), V_(V) {}
 
   struct Worst {
     int count = 0;
@@ -55,11 +61,15 @@ class Stretch {
   };
 
   Worst torn() {
+    std::vector<Edge> long_ones;  // few, so that the surroundings of most edges need no look
+    for_each_side(rest_, [&](const Edge& edge) {
+      if (of(edge) > kTorn) long_ones.push_back(edge);
+    });
+    sort_out(long_ones);
+    if (!long_ones.empty()) find_neighbors();
     Worst worst;
-    for (const Edge& edge : edges_) {
-      const double stretch = of(edge);
-      if (!(stretch > kTorn)) continue;  // most edges, whose surroundings need no look
-      const double times = stretch / std::max(1.0, around(edge));
+    for (const Edge& edge : long_ones) {
+      const double times = of(edge) / std::max(1.0, around(edge));
       if (!(times > kTorn)) continue;
       ++worst.count;
       if (times > worst.times) worst.times = times, worst.edge = edge;
@@ -73,21 +83,25 @@ class Stretch {
     return before > 0 ? length(V_, edge) / before : 1;
   }
 
+  void find_neighbors() {
+    std::vector<Edge> edges;
+    for_each_side(rest_, [&](const Edge& edge) { edges.push_back(edge); });
+    sort_out(edges);
+    neighbors_.resize(static_cast<std::size_t>(rest_.V.cols()));
+    for (const Edge& edge : edges) {
+      neighbors_[edge.first].push_back(edge.second);
+      neighbors_[edge.second].push_back(edge.first);
+    }
+  }
+
   // The median stretch of the edges that start at neighbours of an edge, but not at the edge
   // itself.
-  double around(const Edge& edge) {
-    if (!indexed_) {
-      for (const Edge& e : edges_) {
-        of_vertex_[e.first].push_back(e.second);
-        of_vertex_[e.second].push_back(e.first);
-      }
-      indexed_ = true;
-    }
+  double around(const Edge& edge) const {
     const auto is_end = [&](int i) { return i == edge.first || i == edge.second; };
     std::vector<double> stretches;
     for (const int end : {edge.first, edge.second}) {
-      for (const int near : of_vertex_[end]) {
-        for (const int far : of_vertex_[near]) {
+      for (const int near : neighbors_[end]) {
+        for (const int far : neighbors_[near]) {
           if (!is_end(near) && !is_end(far)) stretches.push_back(of({near, far}));
         }
       }
@@ -97,10 +111,7 @@ class Stretch {
 
   const Shape& rest_;
   const Eigen::Matrix3Xd& V_;
-  const std::vector<Edge> edges_;
-  std::vector<std::vector<int>> of_vertex_;
-  bool indexed_ = false;
-  double mean_ = 0;
+  std::vector<std::vector<int>> neighbors_;
 };
 
 // The longest way of a handle that turns with its group about the group's centroid. After a full
@@ -160,8 +171,7 @@ std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3X
 
 std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, const Report& report) {
   std::vector<std::string> result;
-  Stretch stretch(rest, V);
-  const auto [count, times, edge] = stretch.torn();
+  const auto [count, times, edge] = Stretch(rest, V).torn();
   if (count > 0) {
     result.push_back(fmt::format(
         "the shape tears at {} edge{}: the edge of vertices {} and {} becomes {:.3g} times as long "
@@ -169,11 +179,12 @@ std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, con
         count, count == 1 ? "" : "s", edge.first, edge.second, times, report.advice.torn));
   }
   const std::vector<int> first = weld(rest.V);
+  const double allowed = kOpen * mean_side(rest);
   int open = 0;
   double widest = 0;
   for (int i = 0; i < rest.V.cols(); ++i) {
     const double gap = first[i] == i ? 0 : (V.col(i) - V.col(first[i])).norm();
-    open += gap > kOpen * stretch.mean_edge() && gap > 0;
+    open += gap > allowed && gap > 0;
     widest = std::max(widest, gap);
   }
   if (open > 0 && !rest.faces.empty()) {

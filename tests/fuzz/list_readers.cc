@@ -118,9 +118,7 @@ std::vector<Reader> list_readers() {
        },
        [] { return Texts{"frame", "id", "x", "y", "z", ",", "\"", "\"\"", "nan", "\r", "+1"}; }},
       {"flags", read_flags,
-       [] {
-         return Texts{"deform\na.obj\n--out=b.obj\n-edit\nc.yaml\n--strict\n--nodes\n99\n"};
-       },
+       [] { return Texts{"deform\na.obj\n--out=b.obj\n-edit\nc.yaml\n--strict\n--nodes\n99\n"}; },
        [] {
          return Texts{"--", "\n--nodes", "\n--strict=", "\n--out=", "-1", "true", "2147483648"};
        }},

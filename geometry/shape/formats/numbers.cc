@@ -49,6 +49,7 @@ void append_shortest(std::string& to, Real value) {
 /// were read, so that they are compared, and keep their digits, after this.
 void replace(std::vector<Edit>& edits, const Numbers& numbers, Encoding encoding,
              const Eigen::Matrix3Xd& values, bool normalised) {
+  edits.reserve(edits.size() + static_cast<std::size_t>(values.size()));
   for (Eigen::Index i = 0; i < values.cols(); ++i) {
     Eigen::Vector3d old = Eigen::Vector3d::Map(&numbers.values[static_cast<std::size_t>(3 * i)]);
     if (normalised) normalise(old);
@@ -141,8 +142,10 @@ std::string substitute(std::string_view bytes, const Layout& layout, const Eigen
     for (const ByteRange& range : layout.normal_traces) edits.push_back({range, ""});
     if (layout.shared_normals.values.empty()) remove_corner_normals(edits, bytes, layout.corners);
   }
-  std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.range.at; });
+  const auto place = [](const Edit& edit) { return edit.range.at; };
+  if (!std::ranges::is_sorted(edits, {}, place)) std::ranges::stable_sort(edits, {}, place);
   std::string result;
+  result.reserve(bytes.size() + bytes.size() / 8);  // numbers of other lengths
   std::size_t at = 0;
   for (const Edit& edit : edits) {
     result.append(bytes.substr(at, edit.range.at - at)).append(edit.text);

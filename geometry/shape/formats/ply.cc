@@ -30,6 +30,9 @@ int line_breaks(std::string_view text) {
   return count;
 }
 
+/// A longer face grows as it is read, because the file may announce more corners than it has.
+constexpr std::int64_t kUsualCorners = 8;
+
 /// Walks over every number of the body, because only this shows where the next one begins.
 class Reader {
  public:
@@ -134,6 +137,7 @@ class Reader {
       return;
     }
     std::vector<int> face;
+    face.reserve(static_cast<std::size_t>(std::min<std::int64_t>(length, kUsualCorners)));
     for (std::int64_t i = 0; i < length; ++i) {
       face.push_back(vertex(integer(next(property.type), property.type)));
     }
