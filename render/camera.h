@@ -23,6 +23,14 @@ struct View {
   Eigen::Vector3d right, up, forward;  ///< orthonormal
   double tan_x, tan_y;                 ///< of half the horizontal and vertical field of view
 
+  /// The unit direction from the eye through the point (s, t) of the picture, where (0, 0) is its
+  /// top left corner and (1, 1) its bottom right one.
+  Eigen::Vector3f ray(double s, double t) const {
+    return (forward + (2 * s - 1) * tan_x * right + (1 - 2 * t) * tan_y * up)
+        .normalized()
+        .cast<float>();
+  }
+
   Eigen::Matrix3Xd framed(const Eigen::Matrix3Xd& P) const { return (P.colwise() - center) / size; }
 };
 

@@ -9,6 +9,7 @@
 
 #include "geometry/core/error.h"
 #include "geometry/core/workers.h"
+#include "render/openness.h"
 #include "render/ray_scene.h"
 #include "render/surface.h"
 
@@ -19,6 +20,7 @@ constexpr float kHiddenOpacity = 0.55F;  // of balls and sticks just below the s
 constexpr float kFadeDepth = 0.06F;      // where they become invisible [framed coordinates]
 constexpr double kAlike = 10;            // shapes with a greater ratio of sizes are framed singly
 constexpr float kForgivenDepth = 2.0F;   // what is less deep counts as on the surface [radii]
+constexpr int kContrast = 6;             // between neighbouring pixels that need more rays [of 255]
 
 /// Directions towards the lights in the axes of the camera, so that every view is lit.
 struct Lights {
@@ -98,28 +100,36 @@ void lay_sticks(const std::vector<Stick>& sticks, const View& view, Overlay& ove
   overlay.scene.add_sticks(ends);
 }
 
-/// The scene of one picture. It computes the colour that a ray meets.
+/// The scene of one picture. It computes the colour of places in the picture.
 struct Scene {
-  Scene(const Panel& panel, const View& v, const Eigen::Vector3d& light)
-      : view(v), lights(v, light), surface(panel.shape, panel.vertex_colors, v) {
+  Scene(const Panel& panel, const View& v, const RenderOptions& options)
+      : view(v),
+        eye(v.eye.cast<float>()),
+        width(options.width),
+        height(options.height),
+        lights(v, options.light),
+        surface(panel.shape, panel.vertex_colors, v),
+        openness(surface, v, options.width, options.height, options.threads) {
     lay_balls(panel.balls, view, overlay);
     lay_sticks(panel.sticks, view, overlay);
     overlay.scene.commit();
   }
 
-  Eigen::Vector3f seen(const Eigen::Vector3f& eye, const Eigen::Vector3f& ray) const {
+  /// What is seen at (x, y) [pixel], at most 1.
+  Eigen::Vector3f seen(double x, double y) const {
+    const Eigen::Vector3f ray = view.ray(x / width, y / height);
     Eigen::Vector3f color = Eigen::Vector3f::Ones();
     float depth = std::numeric_limits<float>::infinity();
     if (const auto hit = surface.scene().first_hit(eye, ray)) {
-      const SurfacePoint point = surface.at(*hit, ray);
-      color = lights.shade(point.color, point.normal, point.openness);
+      const SurfacePoint point = surface.at(*hit, eye, ray);
+      color = lights.shade(point.color, point.normal, openness.at(x, y, point));
       depth = hit->distance;
     }
     if (const auto hit = overlay.scene.first_hit(eye, ray)) {
       const float opacity = overlay_opacity(*hit, depth);
       color += opacity * (overlay_color(*hit, ray) - color);
     }
-    return color;
+    return color.cwiseMin(1.0F);
   }
 
   float overlay_opacity(const Hit& hit, float depth) const {
@@ -136,26 +146,36 @@ struct Scene {
   }
 
   View view;
+  Eigen::Vector3f eye;
+  int width, height;
   Lights lights;
   Surface surface;
+  OpennessLattice openness;
   Overlay overlay;
 };
 
-void render_row(const Scene& scene, int y, int samples, Image& image) {
-  const Eigen::Vector3f eye = scene.view.eye.cast<float>();
-  for (int x = 0; x < image.width; ++x) {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (int i = 0; i < samples * samples; ++i) {
-      const int column = i % samples, row = i / samples;
-      const double s = (x + (column + 0.5) / samples) / image.width;
-      const double t = (y + (row + 0.5) / samples) / image.height;
-      const Eigen::Vector3d ray = scene.view.forward +
-                                  (2 * s - 1) * scene.view.tan_x * scene.view.right +
-                                  (1 - 2 * t) * scene.view.tan_y * scene.view.up;
-      sum += scene.seen(eye, ray.normalized().cast<float>()).cwiseMin(1.0F);
-    }
-    store(sum / static_cast<float>(samples * samples), image.pixel(x, y));
+/// The mean of samples² places in a pixel.
+Eigen::Vector3f pixel(const Scene& scene, int x, int y, int samples) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (int i = 0; i < samples * samples; ++i) {
+    sum += scene.seen(x + (i % samples + 0.5) / samples, y + (i / samples + 0.5) / samples);
   }
+  return sum / static_cast<float>(samples * samples);
+}
+
+/// Whether the colours of the pixel and those around it differ visibly.
+bool has_contrast(const Image& image, int x, int y) {
+  int least[3] = {255, 255, 255}, most[3] = {0, 0, 0};
+  for (int v = std::max(0, y - 1); v <= std::min(y + 1, image.height - 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(x + 1, image.width - 1); ++u) {
+      for (int c = 0; c < 3; ++c) {
+        least[c] = std::min<int>(least[c], image.pixel(u, v)[c]);
+        most[c] = std::max<int>(most[c], image.pixel(u, v)[c]);
+      }
+    }
+  }
+  return most[0] - least[0] > kContrast || most[1] - least[1] > kContrast ||
+         most[2] - least[2] > kContrast;
 }
 
 // Whether one scale and one camera suit all panels. They do not in a sweep over shapes.
@@ -211,10 +231,18 @@ Image render(const Panel& panel, const View& view, const RenderOptions& options)
   if (options.samples < 1)
     throw InputError(
         fmt::format("cannot render with {} samples: at least 1 is needed", options.samples));
+  const Scene scene(panel, view, options);
   Image image(options.width, options.height);
-  const Scene scene(panel, view, options.light);
-  Workers(options.threads).each(image.height, [&](int y) {
-    render_row(scene, y, options.samples, image);
+  Workers workers(options.threads);
+  workers.each(image.height, [&](int y) {
+    for (int x = 0; x < image.width; ++x) store(pixel(scene, x, y, 1), image.pixel(x, y));
+  });
+  const Image rough = image;
+  workers.each(image.height, [&](int y) {
+    for (int x = 0; x < image.width && options.samples > 1; ++x) {
+      if (!has_contrast(rough, x, y)) continue;
+      store(pixel(scene, x, y, options.samples), image.pixel(x, y));
+    }
   });
   return image;
 }

@@ -40,7 +40,7 @@ struct Panel {
 struct RenderOptions {
   int width = 800;   ///< [pixel]
   int height = 600;  ///< [pixel], without the caption
-  int samples = 3;   ///< rays along each side of a pixel
+  int samples = 3;   ///< rays along each side of a pixel at edges; one ray meets the others
   int threads = 0;   ///< 0: as many as the machine has; the picture does not depend on them
   Camera camera = {};
   /// The direction to the main light in the axes of the camera: to the right, up, and back to the

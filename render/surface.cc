@@ -17,14 +17,14 @@
 namespace deformlab {
 namespace {
 
-constexpr int kDirections = 128;        // over the sphere; half of them are above a vertex
+constexpr int kDirections = 128;        // over the sphere; half of them are above a point
 constexpr float kReach = 0.30F;         // the largest distance of occluders [framed coordinates]
 constexpr float kClearance = 1e-3F;     // [framed coordinates]
 constexpr float kSmoothCosine = 0.62F;  // below it, a corner's normal differs too much: a crease
 constexpr double kSmallestDot = 7e-4, kLargestDot = 0.02, kDotPerSpacing = 1.3;
 
-/// Directions that the golden angle spreads evenly over the sphere. Every vertex uses the same
-/// ones, so that occlusion varies smoothly along the surface, without noise.
+/// Directions that the golden angle spreads evenly over the sphere. Every point uses the same ones,
+/// so that occlusion varies smoothly along the surface, without noise.
 Eigen::Matrix3Xf sphere_directions() {
   Eigen::Matrix3Xf D(3, kDirections);
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -76,8 +76,7 @@ Eigen::Matrix3Xf linear_colors(const Eigen::Matrix3Xd& colors, Eigen::Index coun
 }  // namespace
 
 Surface::Surface(const Shape* shape, const Eigen::Matrix3Xd& colors, const View& view)
-    : directions_(sphere_directions()), openness_(shape ? 2 * shape->V.cols() : 0) {
-  for (auto& openness : openness_) openness.store(-1, std::memory_order_relaxed);
+    : directions_(sphere_directions()) {
   if (shape) {
     check(*shape, "the shape to draw");
     const Shape framed{view.framed(shape->V), shape->N, shape->faces};
@@ -110,12 +109,14 @@ void Surface::add_dots(const Shape& framed, const View& view) {
   N_.colwise().normalize();
 }
 
-SurfacePoint Surface::at(const Hit& hit, const Eigen::Vector3f& ray) const {
+SurfacePoint Surface::at(const Hit& hit, const Eigen::Vector3f& eye,
+                         const Eigen::Vector3f& ray) const {
   Eigen::Vector3f face = hit.normal.stableNormalized();
   if (face.dot(ray) > 0) face = -face;
   if (triangles_.cols() == 0) return dot_at(hit, ray, face);
   const float weights[] = {1 - hit.u - hit.v, hit.u, hit.v};
-  SurfacePoint point{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), 0};
+  SurfacePoint point{eye + hit.distance * ray, Eigen::Vector3f::Zero(), face,
+                     Eigen::Vector3f::Zero()};
   for (int c = 0; c < 3; ++c) {
     const int vertex = triangles_(c, hit.element);
     const float cosine = N_.col(vertex).dot(face);
@@ -123,7 +124,6 @@ SurfacePoint Surface::at(const Hit& hit, const Eigen::Vector3f& ray) const {
     const bool smooth = std::abs(cosine) >= kSmoothCosine;
     point.normal += weights[c] * (smooth ? Eigen::Vector3f(side * N_.col(vertex)) : face);
     point.color += weights[c] * colors_.col(vertex);
-    point.openness += weights[c] * openness(vertex, side < 0);
   }
   point.normal.normalize();
   return point;
@@ -132,29 +132,19 @@ SurfacePoint Surface::at(const Hit& hit, const Eigen::Vector3f& ray) const {
 SurfacePoint Surface::dot_at(const Hit& hit, const Eigen::Vector3f& ray,
                              const Eigen::Vector3f& face) const {
   const Eigen::Vector3f normal = N_.col(hit.element);
-  const bool back = normal.dot(ray) > 0;
-  SurfacePoint point{face, colors_.col(hit.element), openness(hit.element, back)};
-  if (has_normals_ && !normal.isZero()) point.normal = back ? Eigen::Vector3f(-normal) : normal;
-  return point;
+  const Eigen::Vector3f front = normal.dot(ray) > 0 ? Eigen::Vector3f(-normal) : normal;
+  const bool shades = has_normals_ && !normal.isZero();
+  return {V_.col(hit.element), shades ? front : face, front, colors_.col(hit.element)};
 }
 
-float Surface::openness(int vertex, bool back) const {
-  std::atomic<float>& known = openness_[2 * static_cast<std::size_t>(vertex) + (back ? 1 : 0)];
-  float openness = known.load(std::memory_order_relaxed);
-  if (openness < 0) {
-    openness = measure_openness(vertex, back);
-    known.store(openness, std::memory_order_relaxed);
-  }
-  return openness;
-}
-
-float Surface::measure_openness(int vertex, bool back) const {
-  const Eigen::Vector3f normal = back ? Eigen::Vector3f(-N_.col(vertex)) : N_.col(vertex);
-  const Eigen::Vector3f start = V_.col(vertex) + clearance_ * normal;
+// Directions below the face, where a smooth normal leans over, are left out, because the face
+// itself would occlude them.
+float Surface::openness(const SurfacePoint& point) const {
+  const Eigen::Vector3f start = point.place + clearance_ * point.face;
   float open = 0, all = 0;
   for (const auto& direction : directions_.colwise()) {
-    const float cosine = normal.dot(direction);
-    if (cosine <= 0) continue;
+    const float cosine = point.normal.dot(direction);
+    if (cosine <= 0 || point.face.dot(direction) <= 0) continue;
     all += cosine;
     if (!scene_.blocked(start, direction, kReach)) open += cosine;
   }
