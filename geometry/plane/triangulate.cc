@@ -94,7 +94,10 @@ class Mesher {
       if (off(mesh) < least_off) least_off = off(mesh), best = length;
       const double share = static_cast<double>(mesh.V.cols()) / options_.vertices;
       if (share > kFew && share <= 1) return length;
-      length = std::min(length * std::sqrt(2 * share / (kFew + 1)), kMostStretch * first);
+      const double next =
+          std::min(length * std::sqrt(2 * share / (kFew + 1)), kMostStretch * first);
+      if (next == length) break;  // as long as edges may be: the boundary needs more vertices
+      length = next;
     }
     return best;
   }
