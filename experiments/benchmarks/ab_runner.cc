@@ -28,6 +28,12 @@ Spread spread(std::vector<double> values) {
   return {(values[(n - 1) / 2] + values[n / 2]) / 2, values.front(), values.back()};
 }
 
+double quantile(std::vector<double> values, double p) {
+  std::sort(values.begin(), values.end());
+  const double rank = std::ceil(p * static_cast<double>(values.size()));
+  return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
 Spread Measurement::ratio() const {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < ours.ms.size(); ++i) ratios.push_back(theirs.ms[i] / ours.ms[i]);
@@ -47,6 +53,9 @@ Measurement measure(const Scenario& scenario, int size, int repetitions) {
   for (int i = 0; i < scenario.rounds * repetitions; ++i) {
     const double a = run_once(ours, result.ours), b = run_once(theirs, result.theirs);
     if (std::max(a, b) > kSlow) break;
+  }
+  for (int i = 0; i < scenario.alone * repetitions; ++i) {
+    result.ours.alone_ms.push_back(ours.run().ms);
   }
   return result;
 }

@@ -45,6 +45,8 @@ struct Scenario {
   std::vector<int> sizes;
   std::function<Way(int size)> ours, theirs;
   int rounds = 1;  ///< how often the pair is measured for each repetition that the user asks for
+  /// How often our way is then measured by itself for each repetition, for its slowest runs.
+  int alone = 0;
 };
 
 /// The middle value and the extremes.
@@ -56,6 +58,9 @@ struct Spread {
 /// middle ones.
 Spread spread(std::vector<double> values);
 
+/// The least of the values that a share p of them, above 0 and at most 1, does not exceed.
+double quantile(std::vector<double> values, double p);
+
 /// A scenario measured at one size: ours.ms[i] and theirs.ms[i] were measured one after the other.
 struct Measurement {
   struct Side {
@@ -63,6 +68,7 @@ struct Measurement {
     std::vector<double> ms;
     std::vector<std::pair<std::string, std::vector<double>>> parts;
     RunResult last;
+    std::vector<double> alone_ms{};  ///< further runs, without the other way in between
   };
   std::string scenario, against, unit;
   int size = 0;

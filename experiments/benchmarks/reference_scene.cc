@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "experiments/scenes/scene.h"
 #include "geometry/graph/placement/sampling.h"
 
 namespace deformlab {
@@ -11,6 +12,21 @@ namespace {
 
 constexpr int kSide = 201;
 constexpr int kStrips = 20;  // strips that would cover the whole side
+constexpr int kArmadilloHandles = 10;
+constexpr double kArmadilloPull = 0.1;  // of its size
+
+// Each of these vertices is the one that is farthest from those before it.
+std::vector<int> far_apart(const Eigen::Matrix3Xd& V, int count) {
+  std::vector<int> result;
+  Eigen::Index next = 0;
+  Eigen::RowVectorXd least = Eigen::RowVectorXd::Constant(V.cols(), 1e300);
+  while (static_cast<int>(result.size()) < count) {
+    result.push_back(static_cast<int>(next));
+    least = least.cwiseMin((V.colwise() - V.col(next)).colwise().squaredNorm().eval());
+    least.maxCoeff(&next);
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -46,6 +62,19 @@ Shape bumpy_plane(int n) {
 
 const ReferenceScene& reference_scene() {
   static const ReferenceScene scene = lifted_plane(kSide);
+  return scene;
+}
+
+const ReferenceScene& armadillo_scene() {
+  static const ReferenceScene scene = [] {
+    ShapeOptions options;
+    options.file = "armadillo.off";
+    ReferenceScene result{make_shape(options, {}), {}, {}};
+    result.handles.moved = far_apart(result.shape.V, kArmadilloHandles);
+    result.targets = result.shape.V(Eigen::all, result.handles.moved);
+    result.targets(1, 0) += kArmadilloPull * bounding_box_diagonal(result.shape.V);
+    return result;
+  }();
   return scene;
 }
 

@@ -6,8 +6,8 @@
 
 namespace deformlab {
 
-/// The scene on which solvers are measured: a bumpy plane of unit side. Its left strip stays in
-/// place and its right strip is lifted by half a side at once. The vertices of both strips are
+/// A scene on which solvers are measured, such as a bumpy plane of unit side. Its left strip stays
+/// in place and its right strip is lifted by half a side at once. The vertices of both strips are
 /// handles.
 struct ReferenceScene {
   Shape shape;
@@ -27,5 +27,9 @@ Shape bumpy_plane(int n);
 /// A `side` above 0 is the length of the plane [length], while the energy keeps the unit 1, so that
 /// a side of 2 makes a harder problem.
 EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver, double side = 0);
+
+/// CGAL's armadillo, of 26,002 vertices, with ten of them as handles, which are far from each
+/// other. Their targets are their positions. Throws InputError where libcgal-demo is not installed.
+const ReferenceScene& armadillo_scene();
 
 }  // namespace deformlab

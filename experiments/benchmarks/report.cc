@@ -51,6 +51,10 @@ std::string figures_of(const Measurement::Side& side) {
   for (const auto& [name, values] : side.parts) {
     text += fmt::format("; {} {:.4g}", name, spread(values).median);
   }
+  if (const auto& ms = side.alone_ms; !ms.empty()) {
+    text += fmt::format("; alone: p50 {:.4g}, p95 {:.4g}, p99 {:.4g} of {}", quantile(ms, 0.5),
+                        quantile(ms, 0.95), quantile(ms, 0.99), ms.size());
+  }
   if (side.last.status.empty()) return text + " | | | ";
   return text +
          fmt::format(" | {} | {:.9g} | {}", side.last.steps, side.last.cost, side.last.status);
@@ -59,6 +63,7 @@ std::string figures_of(const Measurement::Side& side) {
 nlohmann::ordered_json to_json(const Measurement::Side& side) {
   nlohmann::ordered_json json = {{"settings", side.way}, {"ms", side.ms}};
   for (const auto& [name, values] : side.parts) json["parts_ms"][name] = values;
+  if (!side.alone_ms.empty()) json["alone_ms"] = side.alone_ms;
   if (!side.last.status.empty()) {
     json["status"] = side.last.status;
     json["steps"] = side.last.steps;

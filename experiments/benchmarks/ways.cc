@@ -111,6 +111,24 @@ Way drag(int nodes, const SolverOptions& options) {
   return drag_of(describe(options), reference_deformation(nodes, options));
 }
 
+Way armadillo_drag(int nodes, const SolverOptions& solver) {
+  EmbeddedDeformationOptions options;
+  options.solver = solver;
+  options.graph.nodes = nodes;
+  const ReferenceScene& scene = armadillo_scene();
+  auto deformation = std::make_shared<EmbeddedDeformation>(scene.shape, options);
+  deformation->compile(scene.handles);
+  Eigen::Matrix3Xd away = scene.targets;
+  away(1, 0) += kDrag * bounding_box_diagonal(scene.shape.V);
+  deformation->update(scene.targets);
+  return {describe(solver), [deformation, away, back = scene.targets] {
+            deformation->update(away);  // not timed, as in drag_of
+            Report report;
+            const double ms = ms_of([&] { report = deformation->update(back); });
+            return result_of(ms, report.solve);
+          }};
+}
+
 EmbeddedDeformation preset_deformation(int nodes, Preset preset) {
   EmbeddedDeformationOptions options = preset_options(preset);
   options.graph.nodes = nodes;

@@ -29,7 +29,12 @@ Way with_transfer(int nodes);
 /// A drag by 1 % of the side that follows another one, without the transfer.
 Way drag(int nodes, const SolverOptions& options);
 
-/// The same with the graph, the weights and the start of a preset, and with the default solver.
+/// A drag of one of the armadillo's ten handles by 1 % of its size that follows another one, with
+/// the transfer to all vertices and normals.
+Way armadillo_drag(int nodes, const SolverOptions& options);
+
+/// A drag as above with the graph, the weights and the start of a preset, and with the default
+/// solver.
 Way drag_with_preset(int nodes, Preset preset);
 
 /// The reference scene with the graph, the weights and the start of a preset.
