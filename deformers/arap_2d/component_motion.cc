@@ -18,8 +18,10 @@ ComponentMotion motion_of(bool has_handles, bool handles_are_distinct) {
   return handles_are_distinct ? ComponentMotion::kDeformation : ComponentMotion::kTranslation;
 }
 
-bool are_distinct(const std::vector<BarycentricPoint>& points, const Eigen::VectorXcd& p) {
-  const double extent = (p.array() - p[0]).abs().maxCoeff();
+double extent_of(const Eigen::VectorXcd& p) { return (p.array() - p[0]).abs().maxCoeff(); }
+
+bool are_distinct(const std::vector<BarycentricPoint>& points, const Eigen::VectorXcd& p,
+                  double extent) {
   return std::any_of(points.begin(), points.end(), [&](const BarycentricPoint& point) {
     return std::abs(point(p) - points[0](p)) > kSamePosition * extent;
   });

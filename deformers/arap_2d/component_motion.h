@@ -18,9 +18,13 @@ enum class ComponentMotion {
 
 ComponentMotion motion_of(bool has_handles, bool handles_are_distinct);
 
+/// The greatest distance of one of the positions p (#V) from the first [length].
+double extent_of(const Eigen::VectorXcd& p);
+
 /// Whether the points are at two positions or more when the vertices are at rest at p (#V). A
 /// distance of less than 1e-9 of the extent counts as 0.
-bool are_distinct(const std::vector<BarycentricPoint>& points, const Eigen::VectorXcd& p);
+bool are_distinct(const std::vector<BarycentricPoint>& points, const Eigen::VectorXcd& p,
+                  double extent);
 
 /// Gathers what a user should know about components that cannot deform. The first few are named,
 /// the others are counted.

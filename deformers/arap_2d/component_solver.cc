@@ -8,8 +8,11 @@
 namespace deformlab {
 namespace {
 
-// Up to this number of conditions, Schur complements are cheaper than elimination.
-constexpr int kFewConditions = 16;
+// Whether Schur complements are cheaper than elimination. Their time grows with the cube of the
+// number of conditions, that of elimination a little more than with the number of vertices.
+bool are_few(Eigen::Index conditions, Eigen::Index vertices) {
+  return conditions * conditions * conditions <= 128 * vertices;
+}
 
 Triangulation submesh(const Triangulation& mesh, const MeshComponent& component) {
   std::vector<int> local(mesh.V.cols());
@@ -27,6 +30,8 @@ ComponentSolver::ComponentSolver(const Triangulation& mesh, const Eigen::VectorX
     : component_(std::move(component)),
       mesh_(std::make_unique<RegisteredMesh>(submesh(mesh, component_),
                                              weights(component_.triangles))),
+      schur_complement_(make_schur_complement_system(*mesh_)),
+      elimination_(make_elimination_system(*mesh_)),
       z_(mesh_->p) {
   for (const int i : mesh_->order) vertex_.push_back(component_.vertices[i]);
 }
@@ -43,13 +48,13 @@ void ComponentSolver::compile(const std::vector<BarycentricPoint>& points) {
       v = mesh_->index[std::lower_bound(own.begin(), own.end(), v) - own.begin()];
     }
   }
-  MeshHandles handles{points_, cluster_handles(points_, mesh_->p.size()), false};
+  MeshHandles handles{points_, cluster_handles(points_), false};
   const Eigen::Index rank = handles.rank();
-  handles.distinct = rank > 1 && are_distinct(points_, mesh_->p);
+  handles.distinct = rank > 1 && are_distinct(points_, mesh_->p, mesh_->extent);
   motion_ = motion_of(!points_.empty(), handles.distinct);
   if (rank <= 1) return;
-  system_ = rank <= kFewConditions ? make_schur_complement_system(*mesh_, handles)
-                                   : make_elimination_system(*mesh_, handles);
+  system_ = are_few(rank, mesh_->p.size()) ? schur_complement_.get() : elimination_.get();
+  system_->compile(handles);
 }
 
 // The rest shape, translated by the mean displacement of the handles.
@@ -67,31 +72,35 @@ void ComponentSolver::update(const Eigen::Matrix2Xd& targets, int refinements,
     const Eigen::Vector2d q = targets.col(target_[i]) - origin_;
     q_[i] = {q.x(), q.y()};
   }
-  if (system_ != nullptr) {
-    {
-      Stopwatch watch(seconds.step_one);
-      system_->step_one(q_);
-    }
-    {
-      Stopwatch watch(seconds.fit);
-      system_->fit(mesh_->fit);
-    }
-    Stopwatch watch(seconds.step_two);
-    const int repetitions = motion_ == ComponentMotion::kDeformation ? refinements : 0;
-    refined_ = repetitions > 0;
-    for (int i = 0; i <= repetitions; ++i) {
-      if (i > 0) {
-        fitted_to_ = z_;
-        mesh_->fit.fit(fitted_to_);
-      }
-      mesh_->fit.assemble(z_);
-      system_->step_two(q_, z_);
-    }
+  refined_ = false;
+  if (motion_ == ComponentMotion::kDeformation) {
+    deform(refinements, seconds);
+  } else if (system_ != nullptr) {
+    mesh_->fit.assemble(z_);
+    system_->step_two(q_, z_);
   } else {
     z_ = translated();
-    refined_ = false;
   }
   write(z_, V);
+}
+
+void ComponentSolver::deform(int refinements, TwoStepSolver::Seconds& seconds) {
+  {
+    Stopwatch watch(seconds.step_one);
+    system_->step_one(q_);
+  }
+  {
+    Stopwatch watch(seconds.fit);
+    mesh_->fit.fit(system_->intermediate(), z_);
+  }
+  Stopwatch watch(seconds.step_two);
+  system_->step_two(q_, z_);
+  refined_ = refinements > 0;
+  for (int i = 0; i < refinements; ++i) {
+    fitted_to_ = z_;
+    mesh_->fit.fit(fitted_to_, z_);
+    system_->step_two(q_, z_);
+  }
 }
 
 void ComponentSolver::write(const Eigen::VectorXcd& z, Eigen::Matrix2Xd& V) const {

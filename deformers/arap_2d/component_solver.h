@@ -38,6 +38,7 @@ class ComponentSolver {
   long nonzeros() const { return mesh_->H_grounded.nonzeros(); }
 
  private:
+  void deform(int refinements, TwoStepSolver::Seconds& seconds);
   Eigen::VectorXcd intermediate() const;
   Eigen::VectorXcd translated() const;
   void write(const Eigen::VectorXcd& z, Eigen::Matrix2Xd& V) const;
@@ -48,7 +49,8 @@ class ComponentSolver {
   ComponentMotion motion_ = ComponentMotion::kNone;
   std::vector<int> target_;               // the column of each handle's target
   std::vector<BarycentricPoint> points_;  // its handles, with the registered mesh's vertices
-  std::unique_ptr<HandleSystem> system_;  // null where handles impose at most one condition
+  std::unique_ptr<HandleSystem> schur_complement_, elimination_;
+  HandleSystem* system_ = nullptr;  // one of them; null where handles impose at most one condition
   // Targets q_ and positions z_ are relative to origin_, the first target. So they are exactly 0
   // where all targets are one point.
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();

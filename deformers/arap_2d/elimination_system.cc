@@ -70,11 +70,13 @@ class EliminatedSystem {
 
 class EliminationSystem final : public HandleSystem {
  public:
-  EliminationSystem(const RegisteredMesh& mesh, const MeshHandles& handles)
-      : distinct_(handles.distinct) {
-    const Eigen::Index n = mesh.p.size();
+  explicit EliminationSystem(const RegisteredMesh& mesh) : mesh_(mesh), z_(mesh.p) {}
+
+  void compile(const MeshHandles& handles) override {
     std::size_t largest = 0;
-    std::vector<char> prescribed(n, 0);
+    std::vector<char> prescribed(z_.size(), 0);
+    single_.clear();
+    clusters_.clear();
     for (const HandleCluster& cluster : handles.clusters) {
       largest = std::max(largest, cluster.vertices.size());
       for (int i = 0; i < cluster.rank(); ++i) prescribed[cluster.vertices[i]] = 1;
@@ -85,22 +87,17 @@ class EliminationSystem final : public HandleSystem {
       }
     }
     scratch_.resize(static_cast<Eigen::Index>(largest));
-    const Sparse<double> V = change_of_basis(handles, n);
-    if (distinct_) G_.compile(mesh.G, V.cast<Complex>(), prescribed);
-    H_.compile(mesh.H, V, prescribed);
-    z_.resize(n);
+    const Sparse<double> V = change_of_basis(handles, z_.size());
+    if (handles.distinct) G_.compile(mesh_.G, V.cast<Complex>(), prescribed);
+    H_.compile(mesh_.H, V, prescribed);
   }
 
-  void step_one(const VectorXcd& q) override {
-    if (!distinct_) return;
+  const VectorXcd& step_one(const VectorXcd& q) override {
     z_.setZero();
     prescribe(q, z_);
     G_.solve(z_);
     transform<false>(z_);
-  }
-
-  void fit(TriangleFit& triangles) const override {
-    if (distinct_) triangles.fit(z_);
+    return z_;
   }
 
   void step_two(const VectorXcd& q, VectorXcd& z) override {
@@ -110,7 +107,7 @@ class EliminationSystem final : public HandleSystem {
     transform<false>(z);
   }
 
-  VectorXcd intermediate() const override { return z_; }
+  const VectorXcd& intermediate() const override { return z_; }
 
  private:
   // A cluster of one vertex and one handle, where V = 1.
@@ -147,7 +144,7 @@ class EliminationSystem final : public HandleSystem {
     }
   }
 
-  bool distinct_;
+  const RegisteredMesh& mesh_;
   std::vector<Single> single_;
   std::vector<HandleCluster> clusters_;  // all other clusters
   EliminatedSystem<Complex> G_;
@@ -157,9 +154,8 @@ class EliminationSystem final : public HandleSystem {
 
 }  // namespace
 
-std::unique_ptr<HandleSystem> make_elimination_system(const RegisteredMesh& mesh,
-                                                      const MeshHandles& handles) {
-  return std::make_unique<EliminationSystem>(mesh, handles);
+std::unique_ptr<HandleSystem> make_elimination_system(const RegisteredMesh& mesh) {
+  return std::make_unique<EliminationSystem>(mesh);
 }
 
 }  // namespace deformlab

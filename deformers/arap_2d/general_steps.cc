@@ -83,7 +83,7 @@ void GeneralSteps::compile(const std::vector<BarycentricPoint>& points) {
   points_.clear();
   target_.clear();
   fix_translated_components(points);
-  for (const HandleCluster& cluster : cluster_handles(points, mesh_.V.cols())) {
+  for (const HandleCluster& cluster : cluster_handles(points)) {
     add_cluster(points, cluster);
   }
   compile_problems();
@@ -92,12 +92,13 @@ void GeneralSteps::compile(const std::vector<BarycentricPoint>& points) {
 // A component with handles at fewer than two points has no step one.
 void GeneralSteps::fix_translated_components(const std::vector<BarycentricPoint>& points) {
   const Eigen::VectorXcd p = all_to_complex(mesh_.V);
+  const double extent = extent_of(p);
   MotionNotes motions;
   for (const MeshComponent& component : components_) {
     const std::vector<int> index = points_inside(component, points);
     std::vector<BarycentricPoint> own;
     for (const int i : index) own.push_back(points[i]);
-    const ComponentMotion motion = motion_of(!own.empty(), are_distinct(own, p));
+    const ComponentMotion motion = motion_of(!own.empty(), are_distinct(own, p, extent));
     motions.add(component, motion);
     if (motion == ComponentMotion::kDeformation) continue;
     for (const int v : component.vertices) fixed_[v] = 1;

@@ -2,6 +2,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <map>
 
 #include "geometry/core/disjoint_sets.h"
 
@@ -11,32 +12,24 @@ namespace {
 constexpr double kLeastSingularValue = 1e-6;  // smaller singular values of C count as 0
 
 // The number of each point's cluster. Points that share vertices are in the same cluster.
-std::vector<int> number_clusters(const std::vector<BarycentricPoint>& points,
-                                 Eigen::Index vertices) {
+std::vector<int> number_clusters(const std::vector<BarycentricPoint>& points) {
   DisjointSets sets(std::ssize(points));
-  std::vector<int> at_vertex(vertices, -1);
+  std::map<int, int> at_vertex;  // the first point that has each vertex
   for (int i = 0; i < std::ssize(points); ++i) {
     for (int c = 0; c < 3; ++c) {
       if (points[i].b[c] == 0) continue;
-      int& other = at_vertex[points[i].vertices[c]];
-      if (other < 0) {
-        other = i;
-      } else {
-        sets.join(i, other);
-      }
+      sets.join(i, at_vertex.try_emplace(points[i].vertices[c], i).first->second);
     }
   }
   return sets.numbered();
 }
 
-// `column` maps each vertex to its column of C, and is −1 for vertices without one so far.
-void decompose(const std::vector<BarycentricPoint>& points, std::vector<int>& column,
-               HandleCluster& cluster) {
+void decompose(const std::vector<BarycentricPoint>& points, HandleCluster& cluster) {
+  std::map<int, int> column;  // of C, for each vertex
   for (const int i : cluster.points) {
     for (int c = 0; c < 3; ++c) {
-      const int v = points[i].vertices[c];
-      if (points[i].b[c] == 0 || column[v] >= 0) continue;
-      column[v] = static_cast<int>(cluster.vertices.size());
+      const int v = points[i].vertices[c], next = static_cast<int>(cluster.vertices.size());
+      if (points[i].b[c] == 0 || !column.try_emplace(v, next).second) continue;
       cluster.vertices.push_back(v);
     }
   }
@@ -61,13 +54,11 @@ void decompose(const std::vector<BarycentricPoint>& points, std::vector<int>& co
 
 }  // namespace
 
-std::vector<HandleCluster> cluster_handles(const std::vector<BarycentricPoint>& points,
-                                           Eigen::Index vertices) {
-  const std::vector<int> number = number_clusters(points, vertices);
+std::vector<HandleCluster> cluster_handles(const std::vector<BarycentricPoint>& points) {
+  const std::vector<int> number = number_clusters(points);
   std::vector<HandleCluster> result(number.empty() ? 0 : 1 + std::ranges::max(number));
   for (int i = 0; i < std::ssize(points); ++i) result[number[i]].points.push_back(i);
-  std::vector<int> column(vertices, -1);
-  for (HandleCluster& cluster : result) decompose(points, column, cluster);
+  for (HandleCluster& cluster : result) decompose(points, cluster);
   return result;
 }
 

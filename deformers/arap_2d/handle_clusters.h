@@ -22,9 +22,8 @@ struct HandleCluster {
   Eigen::Index rank() const { return from_targets.rows(); }
 };
 
-/// The clusters of handles at these points of a mesh with `vertices` vertices. Handles nearer to
-/// each other than 1e-6 of a triangle count as one.
-std::vector<HandleCluster> cluster_handles(const std::vector<BarycentricPoint>& points,
-                                           Eigen::Index vertices);
+/// The clusters of handles at these points of a mesh. Handles nearer to each other than 1e-6 of a
+/// triangle count as one.
+std::vector<HandleCluster> cluster_handles(const std::vector<BarycentricPoint>& points);
 
 }  // namespace deformlab

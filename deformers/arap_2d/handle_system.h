@@ -26,31 +26,29 @@ struct MeshHandles {
   }
 };
 
-/// The two linear systems of the paper, compiled for the handles of a connected mesh. Targets q
-/// (one for each handle) and positions (in the registered mesh's order) are complex numbers.
-/// Only `intermediate` allocates memory.
+/// The two linear systems of the paper for the handles of a connected mesh. Targets q (one for each
+/// handle) and positions (in the registered mesh's order) are complex numbers. An update allocates
+/// no memory.
 class HandleSystem {
  public:
   virtual ~HandleSystem() = default;
-  /// Step one (section 4.1), as far as the fitting needs it.
-  virtual void step_one(const Eigen::VectorXcd& q) = 0;
-  /// Fitting (section 4.2.1): sets the triangles' rotations to those of step one's result.
-  virtual void fit(TriangleFit& triangles) const = 0;
+  /// Compilation. The handles impose two conditions or more.
+  virtual void compile(const MeshHandles& handles) = 0;
+  /// Step one (section 4.1), which needs distinct handles: returns the positions v'.
+  virtual const Eigen::VectorXcd& step_one(const Eigen::VectorXcd& q) = 0;
   /// Step two (section 4.2.2): z is b of TriangleFit::assemble and becomes the positions v''.
   virtual void step_two(const Eigen::VectorXcd& q, Eigen::VectorXcd& z) = 0;
   /// The positions v' of the last step one.
-  virtual Eigen::VectorXcd intermediate() const = 0;
+  virtual const Eigen::VectorXcd& intermediate() const = 0;
 };
 
-/// Makes a system for few handles. It uses Schur complements S = C G⁻¹ Cᴴ and the factors of the
-/// registration. A compilation then costs one or two solves for each handle, and the fitting of an
-/// update needs no positions v'.
-std::unique_ptr<HandleSystem> make_schur_complement_system(const RegisteredMesh& mesh,
-                                                           const MeshHandles& handles);
+/// Makes a system that keeps the factors of the registration and borders them with Schur
+/// complements. A compilation costs one or two solves for each handle that is new, and none for a
+/// handle that is removed. Its result depends on the handles only, not on those before.
+std::unique_ptr<HandleSystem> make_schur_complement_system(const RegisteredMesh& mesh);
 
-/// Makes a system for many handles. It factorizes the paper's G' and H', from which the handles are
-/// eliminated. Throws InputError where they are singular.
-std::unique_ptr<HandleSystem> make_elimination_system(const RegisteredMesh& mesh,
-                                                      const MeshHandles& handles);
+/// Makes a system for very many handles. It factorizes the paper's G' and H', from which the
+/// handles are eliminated, in every compilation. Throws InputError where they are singular.
+std::unique_ptr<HandleSystem> make_elimination_system(const RegisteredMesh& mesh);
 
 }  // namespace deformlab

@@ -1,5 +1,6 @@
 #include "deformers/arap_2d/registered_mesh.h"
 
+#include "deformers/arap_2d/component_motion.h"
 #include "deformers/arap_2d/connectivity.h"
 #include "geometry/core/error.h"
 #include "solvers/linear/linear_solver.h"
@@ -63,6 +64,7 @@ void RegisteredMesh::sort_vertices(const Triangulation& mesh, const Eigen::Vecto
   p.real() = mesh.V.row(0)(order);
   p.imag() = mesh.V.row(1)(order);
   p.array() -= p.mean();
+  extent = extent_of(p);
   F = index(mesh.F.reshaped()).reshaped(3, mesh.F.cols());
   fit = TriangleFit(p, F, weights);
 }

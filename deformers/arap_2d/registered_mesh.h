@@ -22,6 +22,7 @@ struct RegisteredMesh {
   Eigen::VectorXi order;  ///< #V: order[i] is the vertex of the mesh that is the i-th here
   Eigen::VectorXi index;  ///< #V, the inverse: order[index[v]] = v
   Eigen::VectorXcd p;     ///< #V positions at rest, relative to their mean [length]
+  double extent;          ///< that of p [length]
   Eigen::Matrix3Xi F;     ///< 3×#F triangles, as indices in this order
   TriangleFit fit;        ///< the fitting of these triangles
 

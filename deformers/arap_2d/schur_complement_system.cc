@@ -1,4 +1,4 @@
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
@@ -8,171 +8,196 @@ namespace deformlab {
 namespace {
 
 using Complex = std::complex<double>;
-using Eigen::MatrixXcd, Eigen::MatrixXd, Eigen::VectorXcd;
+using Eigen::MatrixXcd, Eigen::VectorXcd;
 
-// The conditions C v = P q that the handles impose on the positions v.
-struct Conditions {
-  Eigen::SparseMatrix<double, Eigen::RowMajor> C;  // r×n, with orthonormal rows
-  MatrixXd P;                                      // r×#handles
+// For up to this number of handles, adding up their columns is cheaper than solving for the sum.
+constexpr int kFewHandles = 16;
+constexpr Eigen::Index kBlock = 256;  // rows of columns that are added up at once
+
+// What one handle adds to both steps. It depends on the handle's place alone, and so it is kept
+// while other handles come and go. With c for the handle's row of barycentric coordinates and L for
+// the factors of the registration:
+struct HandleColumns {
+  BarycentricPoint point;
+  SparseColumn g, h;  // L⁻¹ cᴴ for G and for H
+  VectorXcd v;        // G⁻¹ cᴴ, or empty if there have always been many handles
 };
+using HandlePointers = std::vector<std::shared_ptr<HandleColumns>>;
 
-Conditions conditions_of(const MeshHandles& handles, Eigen::Index n) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const Eigen::Index r = handles.rank();
-  Conditions conditions{{r, n}, MatrixXd::Zero(r, std::ssize(handles.points))};
-  int first = 0;
-  for (const HandleCluster& cluster : handles.clusters) {
-    for (int row = 0; row < cluster.rank(); ++row) {
-      for (int i = 0; i < std::ssize(cluster.vertices); ++i) {
-        entries.emplace_back(first + row, cluster.vertices[i], cluster.V(i, row));
-      }
-      conditions.P(first + row, cluster.points) = cluster.from_targets.row(row);
-    }
-    first += static_cast<int>(cluster.rank());
-  }
-  conditions.C.setFromTriplets(entries.begin(), entries.end());
-  return conditions;
+bool operator==(const HandleColumns& handle, const BarycentricPoint& point) {
+  return handle.point.vertices == point.vertices && handle.point.b == point.b;
 }
 
-// How the minimum of vᴴAv − 2 Re vᴴb subject to C v = c responds to the values c. The columns of N
-// span the null space of A: translations and, in step one, rotations and scaling. The minimum is
-//   v = v̂ + Y μ + N τ,   μ = M (c − C v̂),   τ = T (c − C v̂),
-// where v̂ is any solution of A v̂ = b, and Y = A⁺Cᴴ W. W is an orthonormal basis of the orthogonal
-// complement of C N. Its columns are forces on the handles that have no component in the null
-// space, so that A v = Cᴴ W has a solution.
-template <class Scalar>
-struct Response {
-  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix Y;     // n×(r − columns of N)
-  Matrix M, T;  // (r − columns of N)×r, columns of N×r
-
-  // `solve(Y)` replaces each column of Y by a solution v of A v = column.
-  template <class Solve>
-  Response(const Conditions& conditions, const Matrix& N, Solve&& solve) {
-    const Eigen::SparseMatrix<Scalar, Eigen::RowMajor> C = conditions.C.template cast<Scalar>();
-    const Matrix B = C * N;
-    const Eigen::Index r = B.rows(), m = r - B.cols();
-    const Matrix Q = Eigen::HouseholderQR<Matrix>(B).householderQ() * Matrix::Identity(r, r);
-    const Matrix W = Q.rightCols(m);
-    Y = C.transpose() * W;
-    solve(Y);
-    const Matrix CY = C * Y;
-    M = Matrix::Zero(m, r);
-    if (m > 0) {
-      M = (W.adjoint() * CY).eval().completeOrthogonalDecomposition().solve(W.adjoint());
+// How the minimum of vᴴAv − 2 Re vᴴb subject to P C v = P q responds to the gaps q − C v̂, where
+// A v̂ = b. The rows of C are the handles' c, and the columns of N span the null space of A:
+// translations and, in step one, rotations and scalings. The minimum is
+//   v = v̂ + A⁻¹Cᴴ f + N τ,   f = Pᵀλ,   with   P S Pᵀ λ + P C N τ = P (q − C v̂),   (P C N)ᴴ λ = 0,
+// where S = C A⁻¹ Cᴴ, and λ are forces that have no component in the null space.
+class Response {
+ public:
+  // Adapts S to other handles.
+  //   before  the index that each handle had in the last call, or −1
+  //   half    L⁻¹ cᴴ
+  void change_handles(const HandlePointers& handles, const std::vector<int>& before,
+                      SparseColumn HandleColumns::*half, VectorXcd& zeros) {
+    const auto k = std::ssize(handles);
+    const MatrixXcd last = std::exchange(S_, MatrixXcd(k, k));
+    for (Eigen::Index i = 0; i < k; ++i) {
+      if (before[i] < 0) zeros += (*handles[i]).*half;
+      for (Eigen::Index j = 0; j < k; ++j) {
+        if (before[i] >= 0 && before[j] >= 0) {
+          S_(j, i) = last(before[j], before[i]);
+        } else if (before[i] < 0 && (before[j] >= 0 || j <= i)) {
+          S_(j, i) = ((*handles[j]).*half).dot(zeros);
+          S_(i, j) = std::conj(S_(j, i));
+        }
+      }
+      if (before[i] < 0) {
+        for (SparseColumn::InnerIterator it((*handles[i]).*half); it; ++it) zeros[it.index()] = 0;
+      }
     }
-    T = B.completeOrthogonalDecomposition().solve(Matrix::Identity(r, r) - CY * M);
   }
+
+  //   CN  #handles × dimension of the null space
+  void compile(const Eigen::SparseMatrix<Complex>& P, const MatrixXcd& CN) {
+    const Eigen::Index r = P.rows(), d = CN.cols();
+    const double largest = S_.diagonal().real().maxCoeff();
+    const double unit = largest > 0 ? largest : 1;  // gives S and C N the same scale
+    MatrixXcd K = MatrixXcd::Zero(r + d, r + d), right = MatrixXcd::Zero(r + d, P.cols());
+    K.topLeftCorner(r, r) = P * (S_ / unit) * P.transpose();
+    K.topRightCorner(r, d) = P * CN;
+    K.bottomLeftCorner(d, r) = K.topRightCorner(r, d).adjoint();
+    right.topRows(r) = P;
+    const MatrixXcd X = K.partialPivLu().solve(right);
+    // As many conditions as dimensions leave no forces.
+    to_forces_.resize(0, P.cols());
+    if (r > d) to_forces_ = P.transpose() * X.topRows(r) / unit;
+    to_null_ = X.bottomRows(d);
+    forces.resize(to_forces_.rows());
+    null.resize(d);
+  }
+
+  void respond(const VectorXcd& gaps) {
+    forces.noalias() = to_forces_.lazyProduct(gaps);
+    null.noalias() = to_null_.lazyProduct(gaps);
+  }
+
+  VectorXcd forces, null;  // f and τ
+
+ private:
+  MatrixXcd S_, to_forces_, to_null_;
 };
 
 class SchurComplementSystem final : public HandleSystem {
  public:
-  SchurComplementSystem(const RegisteredMesh& mesh, const MeshHandles& handles)
-      : mesh_(mesh), points_(handles.points), gap_(std::ssize(handles.points)) {
-    const Conditions conditions = conditions_of(handles, mesh.p.size());
-    if (handles.distinct) compile_step_one(conditions);
-    compile_step_two(conditions);
+  explicit SchurComplementSystem(const RegisteredMesh& mesh)
+      : mesh_(mesh), zeros_(VectorXcd::Zero(mesh.p.size())), v_(mesh.p) {}
+
+  void compile(const MeshHandles& handles) override {
+    change_handles(handles.points);
+    const auto k = std::ssize(handles.points);
+    const Eigen::SparseMatrix<Complex> P = conditions_of(handles);
+    MatrixXcd CN = MatrixXcd::Ones(k, 2);
+    for (Eigen::Index i = 0; i < k; ++i) CN(i, 1) = handles.points[i](mesh_.p) / mesh_.extent;
+    if (handles.distinct) one_.compile(P, CN);
+    two_.compile(P, CN.leftCols<1>());
+    gaps_.resize(k);
   }
 
-  void step_one(const VectorXcd& q) override {
-    mu_.noalias() = to_mu_.lazyProduct(q);
-    tau_.noalias() = to_tau_.lazyProduct(q);
-  }
-
-  void fit(TriangleFit& triangles) const override {
-    if (tau_.size() > 0) triangles.fit(tau_[1], s_re_, s_im_, mu_);
+  const VectorXcd& step_one(const VectorXcd& q) override {
+    one_.respond(q);
+    const VectorXcd& f = one_.forces;
+    const Complex translation = one_.null[0], similarity = one_.null[1] / mesh_.extent;
+    if (f.size() > kFewHandles) {
+      v_.setZero();
+      for (Eigen::Index i = 0; i < f.size(); ++i) v_ += f[i] * handles_[i]->g;
+      mesh_.G_grounded.solve_upper(v_);
+      v_.array() += similarity * mesh_.p.array() + translation;
+      return v_;
+    }
+    for (Eigen::Index first = 0; first < v_.size(); first += kBlock) {
+      const Eigen::Index rows = std::min(kBlock, v_.size() - first);
+      auto v = v_.segment(first, rows);
+      v.array() = similarity * mesh_.p.segment(first, rows).array() + translation;
+      for (Eigen::Index i = 0; i < f.size(); ++i) v += f[i] * handles_[i]->v.segment(first, rows);
+    }
+    return v_;
   }
 
   void step_two(const VectorXcd& q, VectorXcd& z) override {
     z[mesh_.grounded[0]] = 0;
-    mesh_.H_grounded.solve(z);
-    for (Eigen::Index i = 0; i < q.size(); ++i) gap_[i] = q[i] - points_[i](z);
-    lambda_.noalias() = to_lambda_.lazyProduct(gap_);
-    const Complex t = to_translation_.cwiseProduct(gap_.transpose()).sum();
-    const Eigen::Index m = lambda_.size();
-    const double* y = Z_.data();
-    for (Eigen::Index i = 0; i < z.size(); ++i, y += m) {
-      double re = z[i].real() + t.real(), im = z[i].imag() + t.imag();
-      for (Eigen::Index l = 0; l < m; ++l) {
-        re += y[l] * lambda_[l].real();
-        im += y[l] * lambda_[l].imag();
-      }
-      z[i] = {re, im};
-    }
+    mesh_.H_grounded.solve_lower(z);
+    // Half a solve suffices for the positions c z of the handles.
+    for (Eigen::Index i = 0; i < q.size(); ++i) gaps_[i] = q[i] - handles_[i]->h.dot(z);
+    two_.respond(gaps_);
+    for (Eigen::Index i = 0; i < two_.forces.size(); ++i) z += two_.forces[i] * handles_[i]->h;
+    mesh_.H_grounded.solve_upper(z);
+    z.array() += two_.null[0];
   }
 
-  VectorXcd intermediate() const override {
-    return ((Y_ * mu_ + tau_[1] * mesh_.p).array() + tau_[0]).matrix();
-  }
+  const VectorXcd& intermediate() const override { return v_; }
 
  private:
-  void compile_step_one(const Conditions& conditions) {
-    const double size = mesh_.p.cwiseAbs().maxCoeff();  // gives both columns of N the same scale
-    MatrixXcd N(mesh_.p.size(), 2);
-    N << VectorXcd::Ones(mesh_.p.size()), mesh_.p / size;
-    Response<Complex> response(conditions, N, [this](MatrixXcd& Y) {
-      for (const int i : mesh_.grounded) Y.row(i).setZero();
-      VectorXcd column;
-      for (Eigen::Index l = 0; l < Y.cols(); ++l) {
-        column = Y.col(l);
-        mesh_.G_grounded.solve(column);
-        Y.col(l) = column;
-      }
-    });
-    Y_ = std::move(response.Y);
-    to_mu_ = response.M * conditions.P;
-    to_tau_ = response.T * conditions.P;
-    to_tau_.row(1) /= size;
-    mu_.resize(Y_.cols());
-    tau_.resize(2);
-    s_re_.resize(mesh_.fit.size(), Y_.cols());
-    s_im_.resize(mesh_.fit.size(), Y_.cols());
-    for (Eigen::Index l = 0; l < Y_.cols(); ++l) {
-      const VectorXcd s = mesh_.fit.similarities(Y_.col(l));
-      s_re_.col(l) = s.real();
-      s_im_.col(l) = s.imag();
+  // Computes what is new: two half solves for each new handle, and a third one where there are few.
+  void change_handles(const std::vector<BarycentricPoint>& points) {
+    HandlePointers handles;
+    std::vector<int> before;
+    for (const BarycentricPoint& point : points) {
+      const auto is_here = [&](const auto& handle) { return *handle == point; };
+      const auto kept = std::ranges::find_if(handles_, is_here);
+      const auto same = std::ranges::find_if(handles, is_here);
+      before.push_back(kept == handles_.end() ? -1 : static_cast<int>(kept - handles_.begin()));
+      handles.push_back(kept != handles_.end()  ? *kept
+                        : same != handles.end() ? *same
+                                                : make_columns(point));
+      VectorXcd& v = handles.back()->v;
+      if (v.size() > 0 || std::ssize(points) > kFewHandles) continue;
+      v = handles.back()->g;
+      mesh_.G_grounded.solve_upper(v);
     }
+    handles_ = std::move(handles);
+    one_.change_handles(handles_, before, &HandleColumns::g, zeros_);
+    two_.change_handles(handles_, before, &HandleColumns::h, zeros_);
   }
 
-  void compile_step_two(const Conditions& conditions) {
-    const MatrixXd N = MatrixXd::Ones(mesh_.p.size(), 1);
-    Response<double> response(conditions, N, [this](MatrixXd& Y) {
-      Y.row(mesh_.grounded[0]).setZero();
-      VectorXcd two(Y.rows());  // solves for two real right-hand sides at once
-      for (Eigen::Index l = 0; l < Y.cols(); l += 2) {
-        const Eigen::Index next = std::min(l + 1, Y.cols() - 1);
-        two.real() = Y.col(l);
-        two.imag() = Y.col(next);
-        mesh_.H_grounded.solve(two);
-        Y.col(l) = two.real();
-        Y.col(next) = next == l ? Y.col(l).eval() : two.imag().eval();
+  std::shared_ptr<HandleColumns> make_columns(const BarycentricPoint& point) {
+    SparseColumn c(mesh_.p.size());
+    for (int i = 0; i < 3; ++i) c.coeffRef(point.vertices[i]) += point.b[i];
+    c.coeffRef(mesh_.grounded[0]) = 0;
+    SparseColumn h = mesh_.H_grounded.solve_lower(c, zeros_);
+    c.coeffRef(mesh_.grounded[1]) = 0;
+    return std::make_shared<HandleColumns>(
+        HandleColumns{point, mesh_.G_grounded.solve_lower(c, zeros_), std::move(h), {}});
+  }
+
+  // The matrix P, which maps targets to the prescribed combinations of vertices.
+  static Eigen::SparseMatrix<Complex> conditions_of(const MeshHandles& handles) {
+    std::vector<Eigen::Triplet<Complex>> entries;
+    Eigen::Index first = 0;
+    for (const HandleCluster& cluster : handles.clusters) {
+      for (int row = 0; row < cluster.rank(); ++row) {
+        for (int j = 0; j < std::ssize(cluster.points); ++j) {
+          entries.emplace_back(first + row, cluster.points[j], cluster.from_targets(row, j));
+        }
       }
-    });
-    Z_ = response.Y;
-    to_lambda_ = (response.M * conditions.P).cast<Complex>();
-    to_translation_ = (response.T * conditions.P).cast<Complex>();
-    lambda_.resize(Z_.cols());
+      first += cluster.rank();
+    }
+    Eigen::SparseMatrix<Complex> P(first, std::ssize(handles.points));
+    P.setFromTriplets(entries.begin(), entries.end());
+    return P;
   }
 
   const RegisteredMesh& mesh_;
-  std::vector<BarycentricPoint> points_;
-  // Step one: v' = Y μ + τ_0 + τ_1 p. The similarities of its triangles are
-  // s = τ_1 + (s_re + i s_im) μ.
-  MatrixXcd Y_, to_mu_, to_tau_;
-  Eigen::ArrayXXd s_re_, s_im_;
-  VectorXcd mu_, tau_;
-  // Step two: v'' = z + Z λ + t, where λ and t are linear in the gaps between handles and targets.
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Z_;
-  MatrixXcd to_lambda_;
-  Eigen::RowVectorXcd to_translation_;
-  VectorXcd gap_, lambda_;
+  VectorXcd zeros_;
+  HandlePointers handles_;
+  Response one_, two_;
+  VectorXcd gaps_, v_;
 };
 
 }  // namespace
 
-std::unique_ptr<HandleSystem> make_schur_complement_system(const RegisteredMesh& mesh,
-                                                           const MeshHandles& handles) {
-  return std::make_unique<SchurComplementSystem>(mesh, handles);
+std::unique_ptr<HandleSystem> make_schur_complement_system(const RegisteredMesh& mesh) {
+  return std::make_unique<SchurComplementSystem>(mesh);
 }
 
 }  // namespace deformlab

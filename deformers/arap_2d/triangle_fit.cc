@@ -2,10 +2,19 @@
 
 #include <algorithm>
 
+#include "geometry/core/simd_block.h"
+
 namespace deformlab {
 namespace {
 
 constexpr double kCollapsed = 1e-8;  // a smaller |s| has no direction
+
+// A complex number in one register.
+using Pair = double __attribute__((vector_size(16)));
+
+InMemory<Pair>& at(std::complex<double>& z) { return reinterpret_cast<InMemory<Pair>&>(z); }
+Pair at(const std::complex<double>& z) { return reinterpret_cast<const InMemory<Pair>&>(z).v; }
+Pair turned(const Pair& z) { return Pair{-z[1], z[0]}; }  // i z
 
 }  // namespace
 
@@ -44,67 +53,39 @@ void TriangleFit::normalize(Eigen::Index first, Eigen::Index count, const Block&
   }
 }
 
-void TriangleFit::fit(std::complex<double> a, const Eigen::ArrayXXd& re, const Eigen::ArrayXXd& im,
-                      const Eigen::VectorXcd& mu) {
-  Block s;
-  for (Eigen::Index first = 0; first < size(); first += kBlock) {
-    const Eigen::Index count = std::min<Eigen::Index>(kBlock, size() - first);
-    s.re.fill(a.real());
-    s.im.fill(a.imag());
-    for (Eigen::Index l = 0; l < mu.size(); ++l) {
-      const double x = mu[l].real(), y = mu[l].imag();
-      const double *u = &re(first, l), *v = &im(first, l);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        s.re[i] += x * u[i] - y * v[i];
-        s.im[i] += x * v[i] + y * u[i];
-      }
-    }
-    normalize(first, count, s);
-  }
-}
-
-void TriangleFit::fit(const Eigen::VectorXcd& z) {
+void TriangleFit::fit(const Eigen::VectorXcd& z, Eigen::VectorXcd& b) {
   Block s;
   s.re.fill(0);
   s.im.fill(0);
+  b.setZero();
   for (Eigen::Index first = 0; first < size(); first += kBlock) {
     const Eigen::Index count = std::min<Eigen::Index>(kBlock, size() - first);
     for (Eigen::Index i = 0; i < count; ++i) {
       const Triangle& t = triangles_[first + i];
-      const std::complex<double> u = z[t.v[0]] - z[t.v[2]], v = z[t.v[1]] - z[t.v[2]];
-      s.re[i] = t.to_s * (t.x0 * u.real() + t.y0 * u.imag() + t.x1 * v.real() + t.y1 * v.imag());
-      s.im[i] = t.to_s * (t.x0 * u.imag() - t.y0 * u.real() + t.x1 * v.imag() - t.y1 * v.real());
+      const Pair u = at(z[t.v[0]]) - at(z[t.v[2]]), v = at(z[t.v[1]]) - at(z[t.v[2]]);
+      const Pair sum = t.x0 * u + t.x1 * v - turned(t.y0 * u + t.y1 * v);
+      s.re[i] = t.to_s * sum[0];
+      s.im[i] = t.to_s * sum[1];
     }
     normalize(first, count, s);
+    assemble(first, count, b);
   }
-}
-
-Eigen::VectorXcd TriangleFit::similarities(const Eigen::VectorXcd& z) const {
-  Eigen::VectorXcd s(size());
-  for (Eigen::Index f = 0; f < size(); ++f) {
-    const Triangle& t = triangles_[f];
-    const std::complex<double> d0(t.x0, t.y0), d1(t.x1, t.y1);
-    s[f] = t.to_s *
-           (std::conj(d0) * (z[t.v[0]] - z[t.v[2]]) + std::conj(d1) * (z[t.v[1]] - z[t.v[2]]));
-  }
-  return s;
 }
 
 void TriangleFit::assemble(Eigen::VectorXcd& b) const {
   b.setZero();
-  auto* sum = reinterpret_cast<double*>(b.data());
-  const auto add = [sum](int v, double x, double y) {
-    sum[2 * std::ptrdiff_t(v)] += x;
-    sum[2 * std::ptrdiff_t(v) + 1] += y;
-  };
-  for (Eigen::Index f = 0; f < size(); ++f) {
+  assemble(0, size(), b);
+}
+
+void TriangleFit::assemble(Eigen::Index first, Eigen::Index count, Eigen::VectorXcd& b) const {
+  for (Eigen::Index f = first; f < first + count; ++f) {
     const Triangle& t = triangles_[f];
-    const double c = R_re_[f], s = R_im_[f];
-    const double x0 = c * t.x0 - s * t.y0, y0 = c * t.y0 + s * t.x0;
-    const double x1 = c * t.x1 - s * t.y1, y1 = c * t.y1 + s * t.x1;
-    add(t.v[0], x0, y0);
-    add(t.v[1], x1, y1);
-    add(t.v[2], -(x0 + x1), -(y0 + y1));
+    const Pair d0{t.x0, t.y0}, d1{t.x1, t.y1};
+    const Pair e0 = R_re_[f] * d0 + R_im_[f] * turned(d0);
+    const Pair e1 = R_re_[f] * d1 + R_im_[f] * turned(d1);
+    at(b[t.v[0]]).v += e0;
+    at(b[t.v[1]]).v += e1;
+    at(b[t.v[2]]).v -= e0 + e1;
   }
 }
 

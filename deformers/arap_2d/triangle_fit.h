@@ -20,16 +20,9 @@ class TriangleFit {
   ///   weights  #F
   TriangleFit(const Eigen::VectorXcd& p, const Eigen::Matrix3Xi& F, const Eigen::VectorXd& weights);
 
-  /// The similarities s (#F) for positions z (#V). They are linear in z, 0 where all of z is one
-  /// point, and 1 for the rest shape.
-  Eigen::VectorXcd similarities(const Eigen::VectorXcd& z) const;
-
-  /// Sets R from s_f = a + Σ_l (re + i im)(f, l) μ_l, where re and im are #F × #μ. A triangle that
-  /// has shrunk to a point keeps the rotation that it had.
-  void fit(std::complex<double> a, const Eigen::ArrayXXd& re, const Eigen::ArrayXXd& im,
-           const Eigen::VectorXcd& mu);
-  /// Sets R from the positions z (#V).
-  void fit(const Eigen::VectorXcd& z);
+  /// Sets R from the positions z (#V), and b as `assemble` does. A triangle that has shrunk to a
+  /// point keeps the rotation that it had.
+  void fit(const Eigen::VectorXcd& z, Eigen::VectorXcd& b);
   void reset();  ///< sets R = 1
 
   /// Sets b (#V) to −f₀/2 of Eq. 16, the right-hand side of step two.
@@ -56,6 +49,7 @@ class TriangleFit {
   };
 
   void normalize(Eigen::Index first, Eigen::Index count, const Block& s);
+  void assemble(Eigen::Index first, Eigen::Index count, Eigen::VectorXcd& b) const;
 
   std::vector<Triangle> triangles_;
   Eigen::ArrayXd R_re_, R_im_;

@@ -160,7 +160,6 @@ void PanelCholesky<Scalar>::lay_out_values() {
 
 template <class Scalar>
 struct PanelCholesky<Scalar>::Workspace {
-  std::vector<int> panel_of;  // of each column
   std::vector<int> position;  // of each row among those of the current panel
   // Each panel has a linked list of the panels that contribute to it next: `waiting` is the first
   // one of its list, and `next` is the one after it in the list that it is in.
@@ -204,7 +203,7 @@ void PanelCholesky<Scalar>::subtract(int q, const Panel& panel, Workspace& w) co
                  value + std::ptrdiff_t(from) * left.width, coefficient, w.position.data(),
                  w.rows.data());
   w.reached[q] = to;
-  if (to < left.rows) w.next[q] = std::exchange(w.waiting[w.panel_of[row[to]]], q);
+  if (to < left.rows) w.next[q] = std::exchange(w.waiting[panel_of_[row[to]]], q);
 }
 
 // Computes the factor's entries in a panel. Returns false if a pivot is not positive.
@@ -236,10 +235,14 @@ bool PanelCholesky<Scalar>::finish(const Panel& panel, Workspace& w) {
 template <class Scalar>
 bool PanelCholesky<Scalar>::compute(const Matrix& lower) {
   const std::size_t n = lower.cols(), count = panels_.size();
-  Workspace w{std::vector<int>(n),         std::vector<int>(n),        std::vector<int>(count, -1),
-              std::vector<int>(count, -1), std::vector<int>(count, 0), {}};
+  Workspace w{std::vector<int>(n),
+              std::vector<int>(count, -1),
+              std::vector<int>(count, -1),
+              std::vector<int>(count, 0),
+              {}};
+  panel_of_.resize(n);
   for (std::size_t p = 0; p < count; ++p) {
-    std::fill_n(w.panel_of.begin() + panels_[p].first, panels_[p].width, static_cast<int>(p));
+    std::fill_n(panel_of_.begin() + panels_[p].first, panels_[p].width, static_cast<int>(p));
   }
   for (int p = 0; p < static_cast<int>(count); ++p) {
     load(lower, panels_[p], w);
@@ -249,7 +252,7 @@ bool PanelCholesky<Scalar>::compute(const Matrix& lower) {
     }
     if (!finish(panels_[p], w)) return false;
     const int* row = rows_.data() + panels_[p].index;
-    if (panels_[p].rows > 0) w.next[p] = std::exchange(w.waiting[w.panel_of[row[0]]], p);
+    if (panels_[p].rows > 0) w.next[p] = std::exchange(w.waiting[panel_of_[row[0]]], p);
   }
   return w.smallest > kSingularRatio * w.largest;
 }

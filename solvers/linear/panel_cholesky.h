@@ -9,6 +9,9 @@
 
 namespace deformlab {
 
+/// A column of few entries.
+using SparseColumn = Eigen::SparseVector<std::complex<double>>;
+
 /// A Cholesky factor A = L Lᴴ of a sparse positive definite matrix, real or Hermitian. It is made
 /// for very many solves with few right-hand sides: up to four columns of L that have almost the
 /// same rows are stored as one panel, row by row, so that a solve reads L from begin to end, and
@@ -25,9 +28,19 @@ class PanelCholesky {
   ///          fill-reducing order already.
   bool factorize(const Matrix& lower);
 
-  /// z ← A⁻¹ z for one complex right-hand side, such as x + iy of the points of a drawing. Both
-  /// `solve` need a factorization that succeeded, and allocate nothing.
-  void solve(Eigen::VectorXcd& z) const;
+  /// z ← A⁻¹ z for one complex right-hand side, such as x + iy of the points of a drawing. All
+  /// solves need a factorization that succeeded, and allocate nothing where they work in place.
+  void solve(Eigen::VectorXcd& z) const {
+    solve_lower(z);
+    solve_upper(z);
+  }
+  /// The two halves of it: z ← L⁻¹ z and z ← L⁻ᴴ z.
+  void solve_lower(Eigen::VectorXcd& z) const;
+  void solve_upper(Eigen::VectorXcd& z) const;
+  /// L⁻¹ b for a right-hand side of few entries. Its time does not grow with the whole factor, but
+  /// with the part of it that b reaches.
+  ///   zeros  as many zeros as A has rows, which the solve uses and leaves at 0
+  SparseColumn solve_lower(const SparseColumn& b, Eigen::VectorXcd& zeros) const;
   /// Z ← (A⁻¹ ⊗ I) Z for four real right-hand sides. For real matrices only.
   void solve(ColumnBlock& Z) const;
 
@@ -52,6 +65,7 @@ class PanelCholesky {
   bool finish(const Panel& panel, Workspace& w);
 
   std::vector<Panel> panels_;
+  std::vector<int> panel_of_;  // of each column
   std::vector<int> rows_;
   // For each panel its lower triangle, row by row and with an inverted diagonal, then its rows.
   std::vector<Scalar> values_;

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <utility>
+
 #include "geometry/core/simd_block.h"
 #include "geometry/core/simd_dispatch.h"
 #include "solvers/linear/panel_cholesky.h"
@@ -71,18 +74,46 @@ DEFORMLAB_INLINE void forward(const AnyPanel& panel, const int* row, const Scala
   }
 }
 
+// Subtracts from y what the rows below a panel's triangle contribute in its columns.
+template <int width, class Row, class Scalar>
+DEFORMLAB_INLINE void subtract_rows(int rows, const int* row, const Scalar* value, double* z,
+                                    Row* y) {
+  Row ix;
+  for (int r = 0; r < rows; ++r, value += width) {
+    const Row x = at<Row>(z, row[r]).v;
+    turn(value, x, ix);
+    for (int c = 0; c < width; ++c) subtract_product(y[c], conjugate(value[c]), x, ix);
+  }
+}
+
+// The same for complex panels of four columns, without the shuffles that products of complex
+// numbers need: sums up the products with the real and the imaginary parts of z.
+template <int width>
+requires(width == 4) DEFORMLAB_INLINE
+    void subtract_rows(int rows, const int* row, const Complex* value, double* z, Pair* y) {
+  SimdBlock re[2] = {}, im[2] = {};
+  for (int r = 0; r < rows; ++r, value += width) {
+    const Pair x = at<Pair>(z, row[r]).v;
+    for (int half = 0; half < 2; ++half) {
+      const SimdBlock v = simd_block(reinterpret_cast<const double*>(value + 2 * half)).v;
+      re[half] += x[0] * v;
+      im[half] += x[1] * v;
+    }
+  }
+  for (int c = 0; c < width; ++c) {
+    const int half = c / 2, i = 2 * (c % 2);
+    y[c] -= Pair{re[half][i] + im[half][i + 1], im[half][i] - re[half][i + 1]};
+  }
+}
+
 // Solves Lᴴ z = y in a panel's columns.
 template <int width, class Row, class AnyPanel, class Scalar>
 DEFORMLAB_INLINE void backward(const AnyPanel& panel, const int* row, const Scalar* triangle,
                                double* z) {
   const Scalar* value = triangle + width * (width + 1) / 2;
-  Row y[width], ix, iy;
+  Row y[width], iy;
   for (int c = 0; c < width; ++c) y[c] = at<Row>(z, panel.first + c).v;
-  for (int r = 0; r < panel.rows; ++r, value += width) {
-    const Row x = at<Row>(z, row[r]).v;
-    turn(value, x, ix);
-    for (int c = 0; c < width; ++c) subtract_product(y[c], conjugate(value[c]), x, ix);
-  }
+  subtract_rows<width>(panel.rows, row, value, z, y);
   for (int c = width - 1; c >= 0; --c) {
     y[c] *= real(triangle[c * (c + 1) / 2 + c]);
     turn(triangle, y[c], iy);
@@ -94,8 +125,8 @@ DEFORMLAB_INLINE void backward(const AnyPanel& panel, const int* row, const Scal
 }
 
 template <class Row, class AnyPanel, class Scalar>
-DEFORMLAB_INLINE void solve_all(const AnyPanel* begin, const AnyPanel* end, const int* rows,
-                                const Scalar* values, double* z) {
+DEFORMLAB_INLINE void forward_all(const AnyPanel* begin, const AnyPanel* end, const int* rows,
+                                  const Scalar* values, double* z) {
   for (const AnyPanel* p = begin; p != end; ++p) {
     const int* row = rows + p->index;
     const Scalar* value = values + p->values;
@@ -113,6 +144,11 @@ DEFORMLAB_INLINE void solve_all(const AnyPanel* begin, const AnyPanel* end, cons
         forward<4, Row>(*p, row, value, z);
     }
   }
+}
+
+template <class Row, class AnyPanel, class Scalar>
+DEFORMLAB_INLINE void backward_all(const AnyPanel* begin, const AnyPanel* end, const int* rows,
+                                   const Scalar* values, double* z) {
   for (const AnyPanel* p = end; p != begin;) {
     --p;
     const int* row = rows + p->index;
@@ -136,18 +172,35 @@ DEFORMLAB_INLINE void solve_all(const AnyPanel* begin, const AnyPanel* end, cons
 DEFORMLAB_SIMD_DISPATCH
 void solve_fours(const Panel* begin, const Panel* end, const int* rows, const double* values,
                  double* z) {
-  solve_all<Four>(begin, end, rows, values, z);
+  forward_all<Four>(begin, end, rows, values, z);
+  backward_all<Four>(begin, end, rows, values, z);
 }
 
-void solve_pairs(const Panel* begin, const Panel* end, const int* rows, const double* values,
-                 double* z) {
-  solve_all<Pair>(begin, end, rows, values, z);
+DEFORMLAB_SIMD_DISPATCH
+void forward_pairs(const Panel* begin, const Panel* end, const int* rows, const double* values,
+                   double* z) {
+  forward_all<Pair>(begin, end, rows, values, z);
 }
 
-void solve_pairs(const ComplexPanel* begin, const ComplexPanel* end, const int* rows,
-                 const Complex* values, double* z) {
-  solve_all<Pair>(begin, end, rows, values, z);
+DEFORMLAB_SIMD_DISPATCH
+void backward_pairs(const Panel* begin, const Panel* end, const int* rows, const double* values,
+                    double* z) {
+  backward_all<Pair>(begin, end, rows, values, z);
 }
+
+DEFORMLAB_SIMD_DISPATCH
+void forward_pairs(const ComplexPanel* begin, const ComplexPanel* end, const int* rows,
+                   const Complex* values, double* z) {
+  forward_all<Pair>(begin, end, rows, values, z);
+}
+
+DEFORMLAB_SIMD_DISPATCH
+void backward_pairs(const ComplexPanel* begin, const ComplexPanel* end, const int* rows,
+                    const Complex* values, double* z) {
+  backward_all<Pair>(begin, end, rows, values, z);
+}
+
+double* numbers(Eigen::VectorXcd& z) { return reinterpret_cast<double*>(z.data()); }
 
 }  // namespace
 
@@ -158,12 +211,48 @@ void PanelCholesky<double>::solve(ColumnBlock& Z) const {
 }
 
 template <class Scalar>
-void PanelCholesky<Scalar>::solve(Eigen::VectorXcd& z) const {
-  solve_pairs(panels_.data(), panels_.data() + panels_.size(), rows_.data(), values_.data(),
-              reinterpret_cast<double*>(z.data()));
+void PanelCholesky<Scalar>::solve_lower(Eigen::VectorXcd& z) const {
+  forward_pairs(panels_.data(), panels_.data() + panels_.size(), rows_.data(), values_.data(),
+                numbers(z));
 }
 
-template void PanelCholesky<double>::solve(Eigen::VectorXcd&) const;
-template void PanelCholesky<Complex>::solve(Eigen::VectorXcd&) const;
+template <class Scalar>
+void PanelCholesky<Scalar>::solve_upper(Eigen::VectorXcd& z) const {
+  backward_pairs(panels_.data(), panels_.data() + panels_.size(), rows_.data(), values_.data(),
+                 numbers(z));
+}
+
+// A column of L contributes to those on the way from it to the root of the elimination tree, so
+// that only the ways from the entries of b are visited. They merge where they meet.
+template <class Scalar>
+SparseColumn PanelCholesky<Scalar>::solve_lower(const SparseColumn& b,
+                                                Eigen::VectorXcd& zeros) const {
+  std::vector<int> ways;  // the next panel of each way
+  for (SparseColumn::InnerIterator it(b); it; ++it) {
+    zeros[it.index()] = it.value();
+    ways.push_back(panel_of_[it.index()]);
+  }
+  SparseColumn result(b.size());
+  const auto end = static_cast<int>(panels_.size());
+  for (int p; !ways.empty() && (p = std::ranges::min(ways)) < end;) {
+    const Panel& panel = panels_[p];
+    forward_pairs(&panel, &panel + 1, rows_.data(), values_.data(), numbers(zeros));
+    for (int c = panel.first; c < panel.first + panel.width; ++c) {
+      result.insertBack(c) = std::exchange(zeros[c], 0);
+    }
+    const int next = panel.rows > 0 ? panel_of_[rows_[panel.index]] : end;
+    std::ranges::replace(ways, p, next);
+  }
+  return result;
+}
+
+template void PanelCholesky<double>::solve_lower(Eigen::VectorXcd&) const;
+template void PanelCholesky<Complex>::solve_lower(Eigen::VectorXcd&) const;
+template void PanelCholesky<double>::solve_upper(Eigen::VectorXcd&) const;
+template void PanelCholesky<Complex>::solve_upper(Eigen::VectorXcd&) const;
+template SparseColumn PanelCholesky<double>::solve_lower(const SparseColumn&,
+                                                         Eigen::VectorXcd&) const;
+template SparseColumn PanelCholesky<Complex>::solve_lower(const SparseColumn&,
+                                                          Eigen::VectorXcd&) const;
 
 }  // namespace deformlab

@@ -109,6 +109,25 @@ TYPED_TEST(PanelCholeskyOf, SolvesAsADenseFactorDoes) {
   }
 }
 
+TYPED_TEST(PanelCholeskyOf, SolvesForAFewEntriesAsForAll) {
+  for (const int n : {1, 3, 9, 40, 200}) {
+    for (const int entries : {0, n, 2 * n, n * n}) {
+      PanelCholesky<TypeParam> factor;
+      ASSERT_TRUE(factor.factorize(this->random_matrix(n, entries)));
+      Eigen::VectorXcd zeros = Eigen::VectorXcd::Zero(n);
+      for (const int first : {0, n / 2, n - 1}) {
+        SparseColumn b(n);
+        b.coeffRef(first) = {1, 2};
+        b.coeffRef(n / 3) = 3;
+        Eigen::VectorXcd whole = b;
+        factor.solve_lower(whole);
+        EXPECT_EQ(Eigen::VectorXcd(factor.solve_lower(b, zeros)), whole) << n << " " << entries;
+        EXPECT_EQ(zeros, Eigen::VectorXcd::Zero(n));
+      }
+    }
+  }
+}
+
 TYPED_TEST(PanelCholeskyOf, NoticesWhatIsSingularOrIndefinite) {
   auto lower = this->random_matrix(30, 90);
   PanelCholesky<TypeParam> factor;

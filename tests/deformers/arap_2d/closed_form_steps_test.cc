@@ -132,16 +132,6 @@ TEST(ClosedFormSteps, HandlesInOnePlaceWithSeveralTargetsAreMetOnTheMean) {
   EXPECT_LT((point.at(steps.positions()) - mean).norm(), 1e-11);
 }
 
-// Two squares side by side, without a common vertex.
-Triangulation two_squares() {
-  const Triangulation one = square();
-  const auto n = static_cast<int>(one.V.cols());
-  Triangulation both{Eigen::Matrix2Xd(2, 2 * n), Eigen::Matrix3Xi(3, 2 * one.F.cols())};
-  both.V << one.V, one.V.colwise() + Eigen::Vector2d(5, 0);
-  both.F << one.F, one.F.array() + n;
-  return both;
-}
-
 TEST(ClosedFormSteps, APartWithoutAHandleStays) {
   const Triangulation mesh = two_squares();
   const Eigen::Index n = mesh.V.cols() / 2;

@@ -26,6 +26,16 @@ inline Eigen::VectorXd painted(const Triangulation& mesh, double weight) {
   return weights;
 }
 
+/// Two squares side by side, without a common vertex.
+inline Triangulation two_squares() {
+  const Triangulation one = square();
+  const auto n = static_cast<int>(one.V.cols());
+  Triangulation both{Eigen::Matrix2Xd(2, 2 * n), Eigen::Matrix3Xi(3, 2 * one.F.cols())};
+  both.V << one.V, one.V.colwise() + Eigen::Vector2d(5, 0);
+  both.F << one.F, one.F.array() + n;
+  return both;
+}
+
 /// 2×#points: where the points are at rest.
 inline Eigen::Matrix2Xd at_rest(const Triangulation& mesh,
                                 const std::vector<BarycentricPoint>& points) {
@@ -57,7 +67,8 @@ inline std::vector<HandleCase> handle_cases(const Triangulation& mesh) {
   };
   std::vector<BarycentricPoint> crowd;
   for (int v = 0; v < 20; ++v) crowd.push_back(BarycentricPoint::at_vertex(6 * v + v % 3));
-  std::vector<BarycentricPoint> mixed = crowd;
+  std::vector<BarycentricPoint> mixed = crowd, throng;
+  for (int v = 0; v < 40; ++v) throng.push_back(BarycentricPoint::at_vertex(3 * v));
   for (const int f : {30, 70, 150}) mixed.push_back(in(f, 0.3, 0.2));
   return {
       {"two_vertices", {BarycentricPoint::at_vertex(0), BarycentricPoint::at_vertex(120)}},
@@ -71,6 +82,7 @@ inline std::vector<HandleCase> handle_cases(const Triangulation& mesh) {
       {"on_an_edge", {in(40, 0, 0.4), in(120, 0.5, 0.5), BarycentricPoint::at_vertex(10)}},
       {"twenty_vertices", crowd},
       {"many_of_both", mixed},
+      {"forty_vertices", throng},
   };
 }
 
