@@ -67,17 +67,6 @@ std::vector<VectorPath> merged(std::vector<VectorPath> paths, const Page& page) 
   return paths;
 }
 
-/// A note for the user: how much the page grew on each side.
-std::vector<std::string> growth(const Page& from, const Page& to) {
-  const Eigen::Vector2d before = from.min() - to.min(), after = to.max() - from.max();
-  if (before.isZero() && after.isZero()) return {};
-  return {
-      fmt::format("the page grew by {:g} to the left, {:g} to the top, {:g} to the right and {:g} "
-                  "to the bottom "
-                  "to hold the shape; its upper left corner is now at ({:g}, {:g})",
-                  before.x(), before.y(), after.x(), after.y(), to.min().x(), to.min().y())};
-}
-
 /// Throws InputError if a PNG of the page would be too large. `advice` says what else helps.
 void check_size(const fs::path& out, const Page& page, double resolution, const char* advice) {
   const Eigen::Vector2d size = page.sizes() * resolution;
@@ -88,6 +77,34 @@ void check_size(const fs::path& out, const Page& page, double resolution, const 
 }
 
 }  // namespace
+
+double resolution_of(const Drawing& drawing, const DrawingOutputOptions& options) {
+  return resolution_for(drawing, options.resolution);
+}
+
+Page page_of(const BoundDrawing& drawing, const Eigen::Matrix2Xd& V,
+             const DrawingOutputOptions& options) {
+  const std::optional<Page> fixed = options.page.fixed(drawing.drawing());
+  return fixed ? *fixed : drawing.page_for(V, 1 / resolution_of(drawing.drawing(), options));
+}
+
+std::vector<std::string> growth(const Page& from, const Page& to) {
+  const Eigen::Vector2d before = from.min() - to.min(), after = to.max() - from.max();
+  if (before.isZero() && after.isZero()) return {};
+  return {
+      fmt::format("the page grew by {:g} to the left, {:g} to the top, {:g} to the right and {:g} "
+                  "to the bottom "
+                  "to hold the shape; its upper left corner is now at ({:g}, {:g})",
+                  before.x(), before.y(), after.x(), after.y(), to.min().x(), to.min().y())};
+}
+
+Bitmap picture_of(const fs::path& out, const BoundDrawing& drawing, const Eigen::Matrix2Xd& V,
+                  const Eigen::VectorXd& depth, const Page& page,
+                  const DrawingOutputOptions& options) {
+  const double resolution = resolution_of(drawing.drawing(), options);
+  check_size(out, page, resolution, "move the handles less far, set output.page=keep, or ");
+  return drawing.picture(V, depth, page, resolution);
+}
 
 void check_output(const fs::path& out, const Drawing& drawing,
                   const DrawingOutputOptions& options) {
@@ -117,16 +134,12 @@ std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& 
     write_mesh(out, drawing, V);
     return {};
   }
-  const double resolution = resolution_for(drawing.drawing(), options.resolution);
-  const Page& own = drawing.drawing().page;
-  const std::optional<Page> fixed = options.page.fixed(drawing.drawing());
-  const Page page = fixed ? *fixed : drawing.page_for(V, 1 / resolution);
+  const Page page = page_of(drawing, V, options);
   std::vector<std::string> notes;
-  if (!fixed) notes = growth(own, page);
+  if (!options.page.fixed(drawing.drawing())) notes = growth(drawing.drawing().page, page);
   if (extension == ".png") {
-    check_size(out, page, resolution, "move the handles less far, set output.page=keep, or ");
-    write_png(drawing.picture(V, depth, page, resolution), out, drawing.drawing().chunks,
-              resolution);
+    write_png(picture_of(out, drawing, V, depth, page, options), out, drawing.drawing().chunks,
+              resolution_of(drawing.drawing(), options));
   } else {
     const std::string& svg = drawing.drawing().svg;
     const SvgNames names = svg.empty() ? SvgNames() : SvgNames(svg, drawing.drawing().file);

@@ -54,6 +54,22 @@ struct DrawingOutputOptions {
   }
 };
 
+/// The resolution of a picture of the drawing [pixel/length].
+double resolution_of(const Drawing& drawing, const DrawingOutputOptions& options);
+
+/// The page that a picture shows with the vertices at V (2×#V) [length]. Throws InputError if a
+/// coordinate is not finite.
+Page page_of(const BoundDrawing& drawing, const Eigen::Matrix2Xd& V,
+             const DrawingOutputOptions& options);
+
+/// A note for the user of how much the page grew on each side, or nothing.
+std::vector<std::string> growth(const Page& from, const Page& to);
+
+/// The PNG's pixels: the picture of the page. Throws InputError (naming `out`) if it is too large.
+Bitmap picture_of(const std::filesystem::path& out, const BoundDrawing& drawing,
+                  const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth, const Page& page,
+                  const DrawingOutputOptions& options);
+
 /// Throws InputError if a drawing cannot be written with the extension of `out`:
 ///   .png  Any drawing can be written.
 ///   .svg  All drawings but bitmaps. Curves stay curves, and are in front where their triangles

@@ -17,10 +17,10 @@ int run_command(const std::vector<std::string>& arguments, const std::filesystem
 /// step; then nothing is written.
 int deform_command(const std::vector<std::string>& arguments, CommandLine line);
 
-/// `deformlab animate --frames PATTERN --edit EDIT.yaml --out PATTERN [key=value]…`, or with
-/// `--particles CACHE.csv` and an --out of one file: one run of an animation that writes its
-/// result. Returns 1 if the solver could not take a step.
-int animate_command(const std::vector<std::string>& overrides, const std::string& frames,
+/// `deformlab animate DRAWING --edit KEYS.yaml --out PATTERN [key=value]…`, or with `--frames
+/// PATTERN` instead of the drawing, or with `--particles CACHE.csv` and an --out of one file: one
+/// run of an animation that writes its result. Returns 1 if the solver could not take a step.
+int animate_command(const std::vector<std::string>& arguments, const std::string& frames,
                     const std::string& particles, CommandLine line);
 
 /// What `deformlab help`, `deformlab list` and `deformlab version` print.

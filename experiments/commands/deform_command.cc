@@ -8,11 +8,15 @@
 namespace deformlab {
 namespace {
 
-// Two keys have short names.
+// The keys of the edit's file, and some others, have short names.
 std::string full_name(const std::string& override) {
-  const bool is_short = override.starts_with("path=") || override.starts_with("pictured=");
-  return is_short ? "animation." + override : override;
+  for (const char* name : {"path=", "pictured=", "fps=", "loop=", "interpolation="}) {
+    if (override.starts_with(name)) return "animation." + override;
+  }
+  return override;
 }
+
+bool is_override(const std::string& word) { return word.find('=') != std::string::npos; }
 
 }  // namespace
 
@@ -29,16 +33,24 @@ int deform_command(const std::vector<std::string>& arguments, CommandLine line) 
   return run_once(kind_of(line, ""), line, "deformed");
 }
 
-int animate_command(const std::vector<std::string>& overrides, const std::string& frames,
+int animate_command(const std::vector<std::string>& arguments, const std::string& frames,
                     const std::string& particles, CommandLine line) {
-  if (frames.empty() == particles.empty() || line.edit.empty() || line.out.empty()) {
+  const bool has_drawing = !arguments.empty() && !is_override(arguments.front());
+  const int inputs = has_drawing + !frames.empty() + !particles.empty();
+  if (inputs != 1 || line.edit.empty() || line.out.empty()) {
     throw InputError(
-        "animate needs frames or particles, an edit and an output: deformlab animate --frames "
-        "'horse-%03d.obj' --edit EDIT.yaml --out 'edited-%03d.obj' [key=value]…, or with "
-        "--particles cache.csv instead");
+        "animate needs a drawing, or frames or particles, and an edit and an output: deformlab "
+        "animate DRAWING --edit KEYS.yaml --out 'frame-%03d.png' [key=value]…, or with --frames "
+        "'horse-%03d.obj' or --particles cache.csv instead of the drawing");
+  }
+  std::transform(arguments.begin() + has_drawing, arguments.end(),
+                 std::back_inserter(line.overrides), full_name);
+  if (has_drawing) {
+    line.input = arguments.front();
+    check_readable(line.input);
+    return run_once(kind_of(line, "drawing"), line, "animated");
   }
   line.input = frames.empty() ? particles : frames;
-  std::ranges::transform(overrides, std::back_inserter(line.overrides), full_name);
   return run_once(kind_of(line, frames.empty() ? "particles" : "frames"), line, "edited");
 }
 

@@ -7,8 +7,8 @@
 #include "experiments/commands/commands.h"
 #include "experiments/commands/environment.h"
 #include "experiments/config/config.h"
-#include "experiments/subjects/animation/script.h"
 #include "experiments/subjects/experiment.h"
+#include "experiments/subjects/motion/script.h"
 #include "experiments/subjects/shape/edit.h"
 
 DEFINE_bool(markdown, false, "help: print the page docs/keys.md");
@@ -32,6 +32,11 @@ Commands
                    [--metrics FILE.json] [--picture FILE.png]
       Deforms a drawing: an image (.png), a vector drawing (.svg), a polygon (.txt), or a flat mesh
       with deformer=arap_2d. Positions are [x, y] in pixels, and y points down.
+
+  deformlab animate DRAWING --edit KEYS.yaml --out 'frame-%03d.png' | --out MOVIE.webp
+                    [--vertices N] [key=value]... [--metrics FILE.json] [--picture FILE.png]
+      Lets a drawing move. KEYS.yaml has `keyframes:` of its handles. The keys fps, loop and
+      interpolation have these short names here.
 
   deformlab animate --frames 'horse-%03d.obj' --edit EDIT.yaml --out 'edited-%03d.obj'
                     [--nodes N] [key=value]... [--metrics FILE.json] [--picture FILE.png]

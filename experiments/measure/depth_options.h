@@ -50,6 +50,11 @@ class DrawingDepth {
   /// depth is in front.
   const Eigen::VectorXd& update(const Eigen::Matrix2Xd& V);
 
+  /// Returns to the drawing at rest: forgets which parts were in front.
+  void reset() { adjusted_.reset(); }
+
+  const Overlaps& overlaps() const { return adjusted_.overlaps(); }  ///< of the last update
+
   /// About the last update:
   ///   overlap_area             overlapping area, as a part of the drawing's area at rest
   ///   overlap_regions          number of regions in which parts overlap

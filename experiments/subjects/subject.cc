@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "experiments/subjects/animation/mesh_subject.h"
+#include "experiments/subjects/drawing/animated_drawing.h"
 #include "experiments/subjects/drawing/drawing_subject.h"
 #include "experiments/subjects/particles/particle_subject.h"
 #include "experiments/subjects/shape/shape_subject.h"
@@ -15,10 +16,8 @@ namespace deformlab {
 
 const std::vector<SubjectKind>& subject_kinds() {
   static const std::vector<SubjectKind> kinds{
-      shape_kind(),
-      drawing_kind(),
-      mesh_animation_kind(),
-      particles_kind(),
+      shape_kind(),          drawing_kind(),   animated_drawing_kind(),
+      mesh_animation_kind(), particles_kind(),
   };
   return kinds;
 }

@@ -195,7 +195,9 @@ TEST(EditMotion, ARotationGoesAlongAnArcByAnyAngle) {
       const Eigen::Vector3d expected = at(1 + std::cos(angle), std::sin(angle), 0);
       const Eigen::Vector3d found = rest + offset_between(first, last, share);
       EXPECT_LT((found - expected).norm(), 1e-13) << degrees << " " << share;
-      EXPECT_NEAR(rotation_between({}, turn, share).z(), angle, 1e-13);
+      const std::vector<PoseNumbers> numbers = numbers_of({first, last});
+      const PoseNumbers between = numbers[0] + share * (numbers[1] - numbers[0]);
+      EXPECT_NEAR(between[kTurnOfNumbers + 2], angle, 1e-13) << "it is not reduced";
     }
   }
 }

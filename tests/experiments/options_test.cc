@@ -7,8 +7,8 @@
 #include <set>
 
 #include "experiments/config/config.h"
-#include "experiments/subjects/animation/script.h"
 #include "experiments/subjects/experiment.h"
+#include "experiments/subjects/motion/script.h"
 #include "experiments/subjects/picture_options.h"
 #include "experiments/subjects/shape/edit.h"
 #include "render/camera.h"

@@ -6,7 +6,7 @@
 
 #include "experiments/subjects/animation/animation_pictures.h"
 #include "experiments/subjects/animation/frame_source.h"
-#include "experiments/subjects/animation/script.h"
+#include "experiments/subjects/motion/script.h"
 
 namespace deformlab {
 
@@ -63,12 +63,25 @@ struct AnimationOptions {
 /// deformation, and for edits that read_script does not accept.
 void check_animation(const RunOptions& options, const RunContext& context);
 
+/// Throws InputError if frames cannot be written to `out`, or if one of them, or the file that says
+/// how far a stopped command came, is a file that the command reads or writes beside them or is in
+/// `inputs`.
+void check_written_frames(const CommandLine& command, const FramePattern& out,
+                          const FrameRange& range, std::vector<NamedFile> inputs);
+
 /// Throws InputError if a file that a command reads or writes beside the frames is a frame, or is
 /// the file that says how far a stopped command came.
 void check_files(const CommandLine& command, const FrameFiles& frames, const FramePattern& out);
 
 /// What messages call the option that names the files: "--FLAG" of a command, or animation.file.
 std::string name_of_file(const RunContext& context, const std::string& flag);
+
+/// Throws InputError if a command, which writes one picture, is asked for a sequence of them.
+void check_one_sheet(const AnimationOptions& options);
+
+/// The frames of the contact sheet of a run; none for a command without a picture.
+std::vector<FrameNumber> sheet_frames(const AnimationOptions& options, const FrameRange& range,
+                                      const RunContext& context);
 
 /// The frames that the pictures of a run show; none for a command without a picture.
 SeenFrames frames_to_see(const AnimationOptions& options, const FrameRange& range,

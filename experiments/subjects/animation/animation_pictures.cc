@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiments/subjects/animation/script.h"
+#include "experiments/subjects/motion/script.h"
 #include "geometry/core/options.h"
 
 namespace deformlab {
@@ -37,13 +37,6 @@ std::vector<FrameNumber> evenly_spread(const FrameRange& range, int count) {
                      i * (range.count() % count) / count);
   }
   return frames;
-}
-
-SeenFrames::SeenFrames(const std::vector<FrameNumber>& sheet, const SequenceOptions& sequence)
-    : sheet_(sheet), every_(sequence.every) {}
-
-bool SeenFrames::is_in_sheet(FrameNumber frame) const {
-  return std::ranges::binary_search(sheet_, frame);
 }
 
 void AnimationBook::add(const SeenFrames& frames, const DeformationGraph& graph,

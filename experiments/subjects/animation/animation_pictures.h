@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -48,22 +49,26 @@ struct SeenFrame {
 };
 
 /// The frames of one run that are pictured. They are collected during the run.
-class SeenFrames {
+template <class Frame>
+class Seen {
  public:
-  SeenFrames(const std::vector<FrameNumber>& sheet, const SequenceOptions& sequence);
+  /// The frames of the sheet ascend.
+  Seen(const std::vector<FrameNumber>& sheet, const SequenceOptions& sequence)
+      : sheet_(sheet), every_(sequence.every) {}
 
   bool wants(FrameNumber frame) const { return is_in_sheet(frame) || is_in_sequence(frame); }
-  void add(FrameNumber frame, SeenFrame seen) { seen_[frame] = std::move(seen); }
+  void add(FrameNumber frame, Frame seen) { seen_[frame] = std::move(seen); }
 
-  bool is_in_sheet(FrameNumber frame) const;
+  bool is_in_sheet(FrameNumber frame) const { return std::ranges::binary_search(sheet_, frame); }
   bool is_in_sequence(FrameNumber frame) const { return every_ > 0 && frame % every_ == 0; }
-  const std::map<FrameNumber, SeenFrame>& all() const { return seen_; }
+  const std::map<FrameNumber, Frame>& all() const { return seen_; }
 
  private:
   std::vector<FrameNumber> sheet_;
   int every_;
-  std::map<FrameNumber, SeenFrame> seen_;
+  std::map<FrameNumber, Frame> seen_;
 };
+using SeenFrames = Seen<SeenFrame>;
 
 /// The pictures of animations. The contact sheet has some frames of the input in one row, and below
 /// it the same frames of each run. In a sequence, each picture shows one frame: the input at the

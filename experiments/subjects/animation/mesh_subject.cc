@@ -1,18 +1,16 @@
 #include "experiments/subjects/animation/mesh_subject.h"
 
 #include <fmt/format.h>
-#include <glog/logging.h>
 
 #include "deformers/embedded/animated_deformation.h"
 #include "experiments/commands/environment.h"
 #include "experiments/config/config.h"
 #include "experiments/subjects/animation/animation_pictures.h"
+#include "experiments/subjects/animation/frame_loop.h"
 #include "experiments/subjects/animation/frame_source.h"
-#include "experiments/subjects/animation/handle_motion.h"
 #include "experiments/subjects/animation/mesh_measurements.h"
-#include "experiments/subjects/animation/progress_line.h"
-#include "experiments/subjects/animation/resume_file.h"
 #include "experiments/subjects/animation/solve_log.h"
+#include "experiments/subjects/motion/handle_motion.h"
 #include "experiments/subjects/run_options.h"
 #include "experiments/subjects/shape/paint.h"
 #include "geometry/core/error.h"
@@ -72,23 +70,15 @@ class MeshSubject : public Subject {
 
   void deform() override {
     deformer_->compile(motion_->handles());
-    std::optional<ProgressLine> progress;
+    const auto make_it = [&](FrameNumber frame) { return make(frame); };
     if (context_.writes()) {
-      begin_writing();
-      progress.emplace("animate: frame");
-    } else if (files_ != nullptr) {
-      Fingerprint nobody_needs_it;
-      files_->check(nobody_needs_it);
+      loop_.emplace(*out_, fingerprint());
+      loop_->run(range(), make_it, [&](FrameNumber frame) { pass(frame); });
+      return;
     }
-    for (FrameNumber i = 0; i < range().count(); ++i) {
-      const FrameNumber frame = range().first + i;
-      if (resume_ && resume_->has(frame)) {
-        pass(frame);
-      } else if (!make(frame)) {
-        return;
-      }
-      if (progress) progress->show(i + 1, range().count());
-    }
+    Fingerprint nobody_needs_it;
+    if (files_ != nullptr) files_->check(nobody_needs_it);
+    for (FrameNumber i = 0; i < range().count(); ++i) make_it(range().first + i);
   }
 
   const Summary& solve() const override { return solve_; }
@@ -111,14 +101,14 @@ class MeshSubject : public Subject {
     metrics["handles"] = static_cast<double>(motion_->handles().targets());
     metrics.merge(measurements_.metrics());
     if (!context_.writes()) return run;
-    const int made = log_.solves();
+    const int made = log_.solves(), passed = loop_->passed();
     metrics["solves"] = made;
-    metrics["frames"] = made + passed_;
-    if (passed_ > 0) {
+    metrics["frames"] = made + passed;
+    if (passed > 0) {
       run.notes.push_back(
           fmt::format("{} of {} frames were made by an earlier run; what is measured is of the "
                       "other {}",
-                      passed_, made + passed_, made));
+                      passed, made + passed, made));
     }
     return run;
   }
@@ -131,7 +121,7 @@ class MeshSubject : public Subject {
     pictures.add(*seen_, deformer_->deformation().graph(), caption);
   }
 
-  void write() override { resume_->remove(); }  // each frame was written when it was made
+  void write() override { loop_->complete(); }  // each frame was written when it was made
 
   std::string summary() const override {
     std::string text;
@@ -142,19 +132,12 @@ class MeshSubject : public Subject {
           "at most {:.0f} steps a frame, handles off by {:.3g} at most, min det R {:.3g}\n",
           m.at("iterations"), m.at("handle_max"), m.at("min_det_R"));
     }
-    return text + fmt::format("{} frames, {} of them made now; written to {}\n", made + passed_,
-                              made, context_.command->out);
+    return text + fmt::format("{} frames, {} of them made now; written to {}\n",
+                              made + loop_->passed(), made, context_.command->out);
   }
 
  private:
   FrameRange range() const { return frames_->range(); }
-
-  void begin_writing() {
-    resume_.emplace(*out_, fingerprint());
-    if (!resume_->outdated()) return;
-    LOG(WARNING) << "a run was stopped before, but its frames or its edit were others: starting "
-                    "over";
-  }
 
   // A fingerprint of all that the frames depend on. It also checks the input frames.
   std::string fingerprint() const {
@@ -193,7 +176,6 @@ class MeshSubject : public Subject {
     if (context_.measures()) measurements_.add(input, deformer_->deformed());
     if (context_.writes()) {
       write_shape(out_->path(frame), deformer_->deformed(), files_->pattern().path(frame));
-      resume_->finished(frame);
     }
     if (seen_->wants(frame)) see(frame, input);
     return true;
@@ -202,7 +184,6 @@ class MeshSubject : public Subject {
   // Skips a frame that an earlier run has made.
   void pass(FrameNumber frame) {
     measurements_.interrupt();
-    ++passed_;
     if (seen_->wants(frame)) see(frame, frames_->read(frame));
   }
 
@@ -222,12 +203,11 @@ class MeshSubject : public Subject {
   Shape pose_;
   double size_ = 0;  // diagonal of its bounding box [length]
   std::optional<AnimatedDeformation> deformer_;
-  std::optional<ResumeFile> resume_;
+  std::optional<FrameLoop> loop_;
   MeshMeasurements measurements_;
   std::optional<SeenFrames> seen_;
   SolveLog log_;
   Summary solve_;
-  int passed_ = 0;
   std::vector<std::string> undone_;  // what the edit asked for in a frame that does not show it
   std::optional<FrameNumber> failed_;
 };

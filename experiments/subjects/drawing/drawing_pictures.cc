@@ -87,4 +87,8 @@ Image DrawingBook::render() const {
   return grid(images, std::min(columns, static_cast<int>(images.size())));
 }
 
+std::unique_ptr<Book> make_drawing_book(const PictureOptions& options) {
+  return std::make_unique<DrawingBook>(options);
+}
+
 }  // namespace deformlab

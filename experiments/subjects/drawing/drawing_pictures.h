@@ -53,4 +53,7 @@ class DrawingBook : public Book {
   std::vector<Entry> panels_;
 };
 
+/// The book of all kinds of subjects that are drawings.
+std::unique_ptr<Book> make_drawing_book(const PictureOptions& options);
+
 }  // namespace deformlab

@@ -9,12 +9,11 @@
 #include "drawing/binding.h"
 #include "drawing/formats.h"
 #include "drawing/write_drawing.h"
-#include "experiments/config/override.h"
-#include "experiments/measure/depth_options.h"
 #include "experiments/measure/drawing_measurements.h"
 #include "experiments/measure/shortfalls.h"
 #include "experiments/subjects/drawing/drawing_pictures.h"
 #include "experiments/subjects/drawing/plane_shortfalls.h"
+#include "experiments/subjects/drawing/posed_drawing.h"
 #include "experiments/subjects/run_options.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -22,20 +21,6 @@
 
 namespace deformlab {
 namespace {
-
-Metrics prefixed(const std::string& prefix, const Metrics& metrics) {
-  Metrics result;
-  for (const auto& [name, value] : metrics) result[prefix + name] = value;
-  return result;
-}
-
-Metrics mesh_metrics(const DrawingScene& scene) {
-  const TriangleQuality q = quality(scene.rest);
-  return {{"vertices", static_cast<double>(scene.rest.V.cols())},
-          {"triangles", static_cast<double>(scene.rest.F.cols())},
-          {"least_angle", q.least_angle},
-          {"mean_quality", q.mean}};
-}
 
 Metrics way_of_probes(const ConfigNode& probes_at, const DrawingScene& scene,
                       const Eigen::Matrix2Xd& V, double size) {
@@ -75,34 +60,20 @@ class DrawingSubject : public Subject {
 
   void check() const override {
     read_plane_edit(options_.edit);
-    check_paint(options_.paint);
-    read_cut_lines(options_.cut);
-    check_depth_levels(options_.depth.parts);
-    read_probes(options_.measure.probes, 2);
+    check_drawing_options(options_);
   }
 
   void read() override {
     const std::vector<EditEntry> edit = read_plane_edit(options_.edit);
-    scene_ = make_drawing(options_.drawing, context_.folder, edit, read_cut_lines(options_.cut));
-    for (const std::string& note : scene_.drawing.notes) LOG(WARNING) << note;
-    if (context_.writes()) check_output(context_.command->out, scene_.drawing, options_.output);
-    paint(scene_, options_.paint);
-    const auto shown = [&](const Eigen::Vector2d& p) { return shows(scene_.drawing, p); };
-    edit_ = resolve(on_mesh(edit, scene_.rest, shown), scene_.rest);
+    drawing_.emplace(options_, context_, edit);
+    edit_ = drawing_->resolve(edit);
     for (const std::string& note : edit_.notes) LOG(WARNING) << note;
-    rest_ = to_shape(scene_.rest);
-    deformer_ = make_deformer(options_.method, scene_);
-    arap_ = dynamic_cast<const Arap2d*>(deformer_.get());
-    depth_.emplace(options_.depth, scene_.rest, depth_levels(options_.depth.parts, scene_.rest));
     if (context_.writes() && options_.output.steps) check_steps();
   }
 
   void deform() override {
-    deformer_->compile(edit_.handles);
-    drag_ = drag(*deformer_, rest_, edit_, options_.drag, [&] {
-      V_ = deformer_->deformed().V.topRows<2>();
-      depths_ = depth_->update(V_);
-    });
+    deformer().compile(edit_.handles);
+    drag_ = drag(deformer(), drawing_->rest(), edit_, options_.drag, [&] { drawing_->show(); });
     log_notes(drag_.last, context_);
   }
 
@@ -111,27 +82,22 @@ class DrawingSubject : public Subject {
   std::vector<std::string> shortfalls() const override {
     std::vector<std::string> result;
     if (!options_.drag.back) {  // where handles go back, they are not to be at their targets
-      result = missed_handles(scene_, V_, edit_, drag_.last);
+      result = missed_handles(scene(), drawing_->V(), edit_, drag_.last);
     }
-    if (!arap_) std::ranges::move(inside_out(drag_.last), std::back_inserter(result));
+    if (!drawing_->arap()) std::ranges::move(inside_out(drag_.last), std::back_inserter(result));
     return result;
   }
 
   Run measure() const override {
-    const double size = bounding_box_diagonal(rest_.V);
-    Run run = run_of(drag_, edit_, deformer_->deformed().V, size);
-    const std::vector<std::string>& notes = scene_.drawing.notes;
+    const Eigen::Matrix2Xd& V = drawing_->V();
+    const double size = bounding_box_diagonal(drawing_->rest().V);
+    Run run = run_of(drag_, edit_, deformer().deformed().V, size);
+    const std::vector<std::string>& notes = scene().drawing.notes;
     run.notes.insert(run.notes.begin(), notes.begin(), notes.end());
     Metrics& metrics = run.measured.metrics;
-    if (arap_) {
-      metrics.merge(
-          prefixed("intermediate.", plane_distortion(scene_.rest, arap_->intermediate())));
-    }
     for (const Metrics& part :
-         {mesh_metrics(scene_), plane_distortion(scene_.rest, V_), depth_->metrics(V_),
-          painted_distortion(scene_.rest, V_, scene_.weights),
-          beside_the_line(scene_, rest_, edit_.handles, V_),
-          way_of_probes(options_.measure.probes, scene_, V_, size)}) {
+         {drawing_->metrics(), beside_the_line(scene(), drawing_->rest(), edit_.handles, V),
+          way_of_probes(options_.measure.probes, scene(), V, size)}) {
       metrics.insert(part.begin(), part.end());
     }
     return run;
@@ -139,33 +105,36 @@ class DrawingSubject : public Subject {
 
   void draw(Book& book, const std::string& caption) override {
     auto& pictures = dynamic_cast<DrawingBook&>(book);
-    const PicturedDrawing pictured{bound(), scene_.drawing.page, scene_.weights, edit_,
-                                   options_.output.page.fixed(scene_.drawing)};
+    const PicturedDrawing pictured = drawing_->pictured(edit_);
     if (pictures.empty()) pictures.add_rest(pictured);
-    if (arap_ && options_.picture.steps) {
-      pictures.add_steps(pictured, arap_->intermediate(), arap_->fitted());
+    if (drawing_->arap() && options_.picture.steps) {
+      pictures.add_steps(pictured, drawing_->arap()->intermediate(), drawing_->arap()->fitted());
     }
-    pictures.add_deformed(pictured, V_, depths_, caption);
+    pictures.add_deformed(pictured, drawing_->V(), drawing_->depths(), caption);
   }
 
   void write() override {
     const std::string& out = context_.command->out;
-    for (const auto& note : write_drawing(out, *bound(), V_, depths_, options_.output)) {
+    for (const auto& note : write_drawing(out, *drawing_->bound(), drawing_->V(),
+                                          drawing_->depths(), options_.output)) {
       LOG(WARNING) << note;
     }
-    if (options_.output.steps) write_steps(*arap_, scene_.rest.F, out);
+    if (options_.output.steps) write_steps(*drawing_->arap(), scene().rest.F, out);
   }
 
   std::string summary() const override {
     return fmt::format("{} vertices, {} triangles, handles off by {:.3g} rms; written to {}\n",
-                       scene_.rest.V.cols(), scene_.rest.F.cols(), drag_.last.handle_rms,
+                       scene().rest.V.cols(), scene().rest.F.cols(), drag_.last.handle_rms,
                        context_.command->out);
   }
 
  private:
+  const DrawingScene& scene() const { return drawing_->scene(); }
+  Deformer& deformer() const { return drawing_->deformer(); }
+
   // Throws InputError if the file of a step cannot be written.
   void check_steps() const {
-    if (!arap_) {
+    if (!drawing_->arap()) {
       throw InputError("output.steps is true, but only deformer=arap_2d has steps");
     }
     const CommandLine& c = *context_.command;
@@ -176,25 +145,11 @@ class DrawingSubject : public Subject {
     check_outputs(c.inputs, outputs);
   }
 
-  // Binds the drawing to its mesh only if it is needed, because this takes time.
-  std::shared_ptr<const BoundDrawing> bound() {
-    if (!bound_)
-      bound_ = std::make_shared<BoundDrawing>(scene_.drawing, scene_.rest, scene_.following);
-    return bound_;
-  }
-
   RunOptions options_;
   RunContext context_;
-  DrawingScene scene_;
-  Shape rest_;
+  std::optional<PosedDrawing> drawing_;
   ResolvedEdit edit_;
-  std::unique_ptr<Deformer> deformer_;
-  const Arap2d* arap_ = nullptr;  // the deformer, if it is of this class
-  std::optional<DrawingDepth> depth_;
-  Eigen::Matrix2Xd V_;      // deformed, 2×#V [length]
-  Eigen::VectorXd depths_;  // #F
   DragReport drag_;
-  std::shared_ptr<const BoundDrawing> bound_;
 };
 
 // A flat mesh is a drawing only if the method for drawings is asked for.
@@ -220,16 +175,11 @@ SubjectKind drawing_kind() {
       .is_in = [](const RunOptions& options) { return !options.drawing.file.empty(); },
       .reads = is_drawing,
       .load_edit = put_edit,
-      .set_defaults =
-          [](const CommandLine& line, ConfigNode& root) {
-            apply_override(root, {"drawing.vertices", std::to_string(line.vertices), "."});
-          },
+      .set_defaults = set_drawing_defaults,
       .make = [](const RunOptions& options, const RunContext& context) -> std::unique_ptr<Subject> {
         return std::make_unique<DrawingSubject>(options, context);
       },
-      .make_book = [](const PictureOptions& options) -> std::unique_ptr<Book> {
-        return std::make_unique<DrawingBook>(options);
-      }};
+      .make_book = make_drawing_book};
 }
 
 }  // namespace deformlab

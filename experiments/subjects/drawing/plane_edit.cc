@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "experiments/config/config.h"
 #include "geometry/core/error.h"
@@ -131,6 +132,22 @@ std::string naming_circles(std::string message) {
 
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit) {
   return with_circles([&] { return read_edit(in_space(edit), 2); });
+}
+
+void complete_angles(const std::vector<std::vector<EditEntry>*>& lists) {
+  const auto name = [](const EditEntry& entry) { return to_yaml_line(to_node(entry.selection)); };
+  std::set<std::string> turning;
+  for (const std::vector<EditEntry>* list : lists) {
+    for (const EditEntry& entry : *list) {
+      if (entry.selection && entry.rotate) turning.insert(name(entry));
+    }
+  }
+  for (std::vector<EditEntry>* list : lists) {
+    for (EditEntry& entry : *list) {
+      if (!entry.selection || entry.rotate || !turning.contains(name(entry))) continue;
+      entry.rotate = Turn{};
+    }
+  }
 }
 
 std::vector<EditEntry> on_mesh(std::vector<EditEntry> entries, const Triangulation& rest,

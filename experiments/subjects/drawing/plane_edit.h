@@ -32,6 +32,10 @@ decltype(auto) with_circles(Action&& action) {
 /// The same as read_edit, for a drawing.
 std::vector<EditEntry> read_plane_edit(const ConfigNode& edit);
 
+/// A selection that turns in one list of an animation has an angle in all of them, which is 0 where
+/// none is given: such an entry gets `rotate: 0`, so that the ring of a point has a place in each.
+void complete_angles(const std::vector<std::vector<EditEntry>*>& lists);
+
 /// The entries with each point that is outside of the mesh but belongs to the drawing moved to the
 /// nearest place of the mesh. Its target moves by the same way.
 std::vector<EditEntry> on_mesh(std::vector<EditEntry> entries, const Triangulation& rest,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/config/csv.h"
 #include "experiments/config/suggest.h"
 #include "geometry/core/error.h"
 #include "geometry/core/files.h"
@@ -17,41 +18,6 @@ namespace deformlab {
 namespace {
 
 constexpr const char* kColumns[] = {"frame", "id", "x", "y", "z"};
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
-}
-
-// The comma that ends the field at `begin`. A field in quotes may contain commas; two quotes in it
-// stand for one, which changes nothing here.
-std::size_t find_comma(std::string_view line, std::size_t begin) {
-  const std::size_t text = line.find_first_not_of(" \t", begin);
-  if (text == std::string_view::npos || line[text] != '"') return line.find(',', begin);
-  bool is_quoted = false;
-  for (std::size_t at = text; at < line.size(); ++at) {
-    if (line[at] == '"') is_quoted = !is_quoted;
-    if (line[at] == ',' && !is_quoted) return at;
-  }
-  return std::string_view::npos;
-}
-
-std::string_view unquoted(std::string_view field) {
-  const bool is_quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
-  return is_quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
-}
-
-// Splits a line into fields, which are views of the line without the blanks and quotes around them.
-void split(std::string_view line, std::vector<std::string_view>& fields) {
-  fields.clear();
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = find_comma(line, begin);
-    fields.push_back(unquoted(trimmed(line.substr(begin, comma - begin))));
-    if (comma == std::string_view::npos) return;
-    begin = comma + 1;
-  }
-}
 
 std::string shortest(double value) {
   char text[32];
@@ -89,9 +55,9 @@ void ParticleReader::read_header() {
   while (read_line()) {
     between_ += line_ + ending_;
     if (line_.starts_with(kByteOrderMark)) line_.erase(0, 3);
-    if (!trimmed(line_).empty()) break;
+    if (!without_blanks(line_).empty()) break;
   }
-  split(line_, fields_);
+  split_csv(line_, fields_);
   header_size_ = fields_.size();
   for (int c = 0; c < 5; ++c) {
     const auto found = std::ranges::find(fields_, kColumns[c], lower_case);
@@ -126,11 +92,11 @@ std::int64_t ParticleReader::integer(int column) const {
 std::optional<ParticleRow> ParticleReader::next() {
   if (number_ > 0) between_.clear();
   while (read_line()) {
-    if (trimmed(line_).empty()) {
+    if (without_blanks(line_).empty()) {
       between_ += line_ + ending_;
       continue;
     }
-    split(line_, fields_);
+    split_csv(line_, fields_);
     if (fields_.size() != header_size_) {
       reject(fmt::format("it has {} fields, but the header has {}", fields_.size(), header_size_));
     }

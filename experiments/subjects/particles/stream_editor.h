@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "deformers/embedded/stream_deformation.h"
-#include "experiments/subjects/animation/handle_motion.h"
+#include "experiments/subjects/motion/handle_motion.h"
 #include "experiments/subjects/particles/particle_cache.h"
 
 namespace deformlab {

@@ -11,11 +11,6 @@ namespace {
 constexpr double kRigid = 0.01;  // relative to the extent of the points
 constexpr double kFlat = 1e-6;   // singular values relative to the first: the points lie on a line
 
-template <class T>
-T mixed(const T& from, const T& to, double share) {
-  return from + share * (to - from);
-}
-
 Eigen::Vector3d known(const Eigen::Vector3d& turn) {
   return turn.hasNaN() ? Eigen::Vector3d(0, 0, 0) : turn;
 }
@@ -40,10 +35,24 @@ Eigen::Vector3d bent(const Motion& motion, const Eigen::Vector3d& rest) {
   return (linear - Eigen::Matrix3d::Identity()) * (rest - motion.center);
 }
 
-// A translation has any centre, so that it takes that of the other motion.
-Motion about_center_of(const Motion& other, Motion motion) {
-  if (is_translation(motion)) motion.center = other.center;
-  return motion;
+PoseNumbers numbers_of(const Pose& pose, const Eigen::Vector3d& center) {
+  Motion motion = pose.motion;
+  motion.center = center;
+  PoseNumbers numbers;
+  numbers << known(motion.turn), motion.stretch.reshaped(), motion.center, pose.rest,
+      pose.offset - bent(motion, pose.rest);
+  return numbers;
+}
+
+// The centre of the nearest pose that is no translation, or else of pose i itself.
+Eigen::Vector3d center_for(const std::vector<Pose>& poses, std::size_t i) {
+  for (std::size_t away = 0; away < poses.size(); ++away) {
+    if (i >= away && !is_translation(poses[i - away].motion)) return poses[i - away].motion.center;
+    if (i + away < poses.size() && !is_translation(poses[i + away].motion)) {
+      return poses[i + away].motion.center;
+    }
+  }
+  return poses[i].motion.center;
 }
 
 // Where points lie on a line, their positions do not tell how they turn.
@@ -92,27 +101,31 @@ Motion motion_of(const EditEntry& entry, const Eigen::Matrix3Xd& P) {
         entry.rotate->degrees * std::numbers::pi / 180 * entry.rotate->axis.stableNormalized();
     // Scaling about its own centre c first is x ↦ S x + (I − S) c.
     const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - motion.stretch;
-    motion.shift = rotation_of(motion.turn) * (rest * (scaled_about - motion.center));
+    motion.shift += rotation_of(motion.turn) * (rest * (scaled_about - motion.center));
   }
   if (entry.by) motion.shift += *entry.by;
   return motion;
 }
 
-Eigen::Vector3d offset_between(const Pose& from, const Pose& to, double share) {
-  const Motion first = about_center_of(to.motion, from.motion);
-  const Motion last = about_center_of(from.motion, to.motion);
-  const Eigen::Vector3d shift = mixed<Eigen::Vector3d>(from.offset - bent(first, from.rest),
-                                                       to.offset - bent(last, to.rest), share);
-  Motion motion;
-  motion.center = mixed(first.center, last.center, share);
-  motion.turn = mixed<Eigen::Vector3d>(known(first.turn), known(last.turn), share);
-  motion.stretch = mixed(first.stretch, last.stretch, share);
-  return shift + bent(motion, mixed(from.rest, to.rest, share));
+std::vector<PoseNumbers> numbers_of(const std::vector<Pose>& poses) {
+  std::vector<PoseNumbers> numbers;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    numbers.push_back(numbers_of(poses[i], center_for(poses, i)));
+  }
+  return numbers;
 }
 
-Eigen::Vector3d rotation_between(const Motion& from, const Motion& to, double share) {
-  if (from.turn.hasNaN() && to.turn.hasNaN()) return from.turn;
-  return mixed<Eigen::Vector3d>(known(from.turn), known(to.turn), share);
+Eigen::Vector3d offset_of(const PoseNumbers& numbers) {
+  Motion motion;
+  motion.turn = numbers.segment<3>(kTurnOfNumbers);
+  motion.stretch = numbers.segment<9>(3).reshaped(3, 3);
+  motion.center = numbers.segment<3>(12);
+  return numbers.segment<3>(18) + bent(motion, numbers.segment<3>(15));
+}
+
+Eigen::Vector3d offset_between(const Pose& from, const Pose& to, double share) {
+  const std::vector<PoseNumbers> numbers = numbers_of({from, to});
+  return offset_of(numbers[0] + share * (numbers[1] - numbers[0]));
 }
 
 bool is_rigid_motion(const Eigen::Matrix3Xd& P, const Eigen::Matrix3Xd& Q) {

@@ -1,4 +1,4 @@
-#include "experiments/subjects/animation/handle_motion.h"
+#include "experiments/subjects/motion/handle_motion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

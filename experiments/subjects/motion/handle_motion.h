@@ -7,10 +7,17 @@
 #include <vector>
 
 #include "experiments/subjects/animation/frame_pattern.h"
-#include "experiments/subjects/animation/script.h"
+#include "experiments/subjects/motion/script.h"
 #include "experiments/subjects/shape/edit_motion.h"
 
 namespace deformlab {
+
+/// What entries select and do in a pose, and where the handles with targets are in it, 3×#.
+struct PosedEdit {
+  ResolvedEdit edit;
+  Eigen::Matrix3Xd rest;
+};
+using Resolve = std::function<PosedEdit(const std::vector<EditEntry>&, FrameNumber)>;
 
 /// The handles of an edited animation, and their offsets from the input in each frame.
 class HandleMotion {
@@ -23,6 +30,8 @@ class HandleMotion {
   /// a vertex that one edit moves and another fixes or moves in all frames.
   HandleMotion(const Script& script, const FrameRange& range,
                const std::function<Shape(FrameNumber)>& pose_of);
+  /// The same, where `resolve_in` resolves entries in the pose of a frame.
+  HandleMotion(const Script& script, const FrameRange& range, const Resolve& resolve_in);
 
   /// Fixed vertices are fixed in all frames, at their positions in the input. Handles that move
   /// together in all edits are a group.
@@ -35,33 +44,33 @@ class HandleMotion {
 
  private:
   struct Key {
-    FrameNumber frame;
+    FrameTime moment;
     Pose pose;
     int group;      // of all groups of all edits
     double weight;  // in E_con
   };
-  // The two keys around a frame, which may be the same, and the share of the way between them.
-  struct Between {
-    const Key &from, &to;
-    double share;
-  };
   struct Channel {
-    std::vector<Key> keys;  // by frame; an edit of all frames has one key
-    std::string where;      // the first edit that names it
+    std::vector<Key> keys;  // by moment; an edit of all frames has one key
+    std::string where;      // the last edit that names it
     bool always;
+    std::vector<FrameTime> moments;    // of the keys
+    std::vector<PoseNumbers> numbers;  // of their poses
   };
   using Point = std::array<double, 3>;
 
-  void add(const TimedEdit& edit, const Shape& pose);
+  void add(const TimedEdit& edit, const PosedEdit& posed);
   void fix(int vertex, const TimedEdit& edit);
   void add_key(Channel& channel, const TimedEdit& edit, const Key& key, const std::string& what);
   void collect();
-  Between between(const Channel& channel, FrameNumber frame) const;
+  Eigen::Vector3d rotation(const Channel& channel, FrameNumber frame) const;
   // A matrix of one column for each handle: column(channel).
   template <class Column>
   Eigen::Matrix3Xd columns(Column&& column) const;
+  // The same for const and other motions: each channel, vertices before points.
+  template <class Self, class Visit>
+  static void for_each_channel(Self& self, Visit&& visit);
 
-  bool smooth_;
+  Interpolation interpolation_;
   bool turns_ = false;  // an edit rotates
   int groups_ = 0;      // of all edits so far
   std::map<int, Channel> vertices_;

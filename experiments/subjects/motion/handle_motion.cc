@@ -1,8 +1,9 @@
-#include "experiments/subjects/animation/handle_motion.h"
+#include "experiments/subjects/motion/handle_motion.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "experiments/measure/drag.h"
@@ -11,10 +12,26 @@
 namespace deformlab {
 namespace {
 
-void check_frame(FrameNumber frame, const FrameRange& range, const std::string& what) {
-  if (frame >= range.first && frame <= range.last) return;
-  throw InputError(fmt::format("{} names frame {}; the frames are {} to {}", what, frame,
+void check_frame(FrameTime frame, const FrameRange& range, const std::string& what) {
+  if (frame >= static_cast<FrameTime>(range.first) && frame <= static_cast<FrameTime>(range.last)) {
+    return;
+  }
+  throw InputError(fmt::format("{} names frame {}; the frames are {} to {}", what, text_of(frame),
                                range.first, range.last));
+}
+
+// The frame whose pose a moment refers to.
+FrameNumber nearest_frame(const std::optional<FrameTime>& moment, const FrameRange& range) {
+  return moment ? static_cast<FrameNumber>(std::llround(*moment)) : range.first;
+}
+
+Resolve resolve_in_shapes(const std::function<Shape(FrameNumber)>& pose_of) {
+  return [&pose_of](const std::vector<EditEntry>& entries, FrameNumber frame) {
+    const Shape pose = pose_of(frame);
+    ResolvedEdit edit = resolve(entries, pose);
+    Eigen::Matrix3Xd rest = targets_at_rest(pose, edit.handles);
+    return PosedEdit{std::move(edit), std::move(rest)};
+  };
 }
 
 [[noreturn]] void throw_fixed_and_moved(int vertex, const std::string& fixing,
@@ -25,33 +42,34 @@ void check_frame(FrameNumber frame, const FrameRange& range, const std::string& 
                   vertex, fixing, moving));
 }
 
-double ease(double share) { return share * share * (3 - 2 * share); }
-
 }  // namespace
 
 HandleMotion::HandleMotion(const Script& script, const FrameRange& range,
                            const std::function<Shape(FrameNumber)>& pose_of)
-    : smooth_(script.smooth) {
-  if (script.pose) check_frame(*script.pose, range, "'pose'");
+    : HandleMotion(script, range, resolve_in_shapes(pose_of)) {}
+
+HandleMotion::HandleMotion(const Script& script, const FrameRange& range, const Resolve& resolve_in)
+    : interpolation_(script.interpolation) {
+  if (script.pose) check_frame(static_cast<FrameTime>(*script.pose), range, "'pose'");
   for (const TimedEdit& edit : script.edits) {
     if (edit.frame) check_frame(*edit.frame, range, edit.where);
   }
   for (const TimedEdit& edit : script.edits) {
-    add(edit, pose_of(script.pose.value_or(edit.frame.value_or(range.first))));
+    const FrameNumber pose = script.pose.value_or(nearest_frame(edit.frame, range));
+    add(edit, resolve_in(edit.entries, pose));
   }
   collect();
 }
 
-void HandleMotion::add(const TimedEdit& edit, const Shape& pose) {
-  const ResolvedEdit resolved = resolve(edit.entries, pose);
+void HandleMotion::add(const TimedEdit& edit, const PosedEdit& posed) {
+  const auto& [resolved, rest] = posed;
   const Handles& handles = resolved.handles;
-  const Eigen::Matrix3Xd rest = targets_at_rest(pose, handles);
-  const auto key = [&](Eigen::Index l) {
+  const auto key = [&, &edited = resolved, &at = rest](Eigen::Index l) {
     const int group = handles.groups[static_cast<std::size_t>(l)];
     const double weight = handles.weights.size() == 0 ? 1 : handles.weights[l];
-    const Eigen::Vector3d offset = resolved.targets.col(l) - rest.col(l);
+    const Eigen::Vector3d offset = edited.targets.col(l) - at.col(l);
     return Key{edit.frame.value_or(0),
-               {rest.col(l), offset, resolved.motions[static_cast<std::size_t>(group)]},
+               {at.col(l), offset, edited.motions[static_cast<std::size_t>(group)]},
                groups_ + group,
                weight};
   };
@@ -83,12 +101,14 @@ void HandleMotion::fix(int vertex, const TimedEdit& edit) {
 void HandleMotion::add_key(Channel& channel, const TimedEdit& edit, const Key& key,
                            const std::string& what) {
   if (channel.keys.empty()) {
-    channel.where = edit.where;
     channel.always = !edit.frame;
+  } else if (channel.where == edit.where) {
+    throw InputError(fmt::format("{} is moved twice by {}; keep one", what, edit.where));
   } else if (channel.always) {
     throw InputError(fmt::format("{} is moved by {}, which is of all frames, and by {}; keep one",
                                  what, channel.where, edit.where));
   }
+  channel.where = edit.where;
   channel.keys.push_back(key);
 }
 
@@ -100,6 +120,14 @@ void HandleMotion::collect() {
   for (const auto& [place, channel] : points_) {
     handles_.points.col(l++) << place[0], place[1], place[2];
   }
+  for_each_channel(*this, [](Channel& channel) {
+    std::vector<Pose> poses;
+    for (const Key& key : channel.keys) {
+      poses.push_back(key.pose);
+      channel.moments.push_back(key.moment);
+    }
+    channel.numbers = numbers_of(poses);
+  });
   std::map<std::vector<int>, int> numbers;  // of groups, by their groups in the edits
   std::vector<double> weights;
   columns([&](const Channel& channel) {
@@ -113,49 +141,52 @@ void HandleMotion::collect() {
   handles_.weights = Eigen::Map<Eigen::VectorXd>(weights.data(), std::ssize(weights));
 }
 
+template <class Self, class Visit>
+void HandleMotion::for_each_channel(Self& self, Visit&& visit) {
+  for (auto& [vertex, channel] : self.vertices_) visit(channel);
+  for (auto& [place, channel] : self.points_) visit(channel);
+}
+
 template <class Column>
 Eigen::Matrix3Xd HandleMotion::columns(Column&& column) const {
   Eigen::Matrix3Xd result(3, handles_.targets());
   Eigen::Index l = 0;
-  for (const auto& [vertex, channel] : vertices_) result.col(l++) = column(channel);
-  for (const auto& [place, channel] : points_) result.col(l++) = column(channel);
+  for_each_channel(*this, [&](const Channel& channel) { result.col(l++) = column(channel); });
   return result;
 }
 
-HandleMotion::Between HandleMotion::between(const Channel& channel, FrameNumber frame) const {
-  const auto after = std::find_if(channel.keys.begin(), channel.keys.end(),
-                                  [&](const Key& key) { return key.frame > frame; });
-  if (after == channel.keys.begin()) return {*after, *after, 0};
-  const Key& before = *std::prev(after);
-  if (after == channel.keys.end()) return {before, before, 0};
-  const double share =
-      frames_between(before.frame, frame) / frames_between(before.frame, after->frame);
-  return {before, *after, smooth_ ? ease(share) : share};
+Eigen::Matrix3Xd HandleMotion::offsets(FrameNumber frame) const {
+  const auto moment = static_cast<FrameTime>(frame);
+  return columns([&](const Channel& channel) -> Eigen::Vector3d {
+    const Between b = between(channel.moments, moment);
+    if (b.share == 0) return channel.keys[b.from].pose.offset;
+    return offset_of(interpolated(channel.moments, channel.numbers, moment, interpolation_));
+  });
 }
 
-Eigen::Matrix3Xd HandleMotion::offsets(FrameNumber frame) const {
-  return columns([&](const Channel& channel) {
-    const auto [from, to, share] = between(channel, frame);
-    return share == 0 ? from.pose.offset : offset_between(from.pose, to.pose, share);
-  });
+// NaN where neither key around the frame says anything about a rotation.
+Eigen::Vector3d HandleMotion::rotation(const Channel& channel, FrameNumber frame) const {
+  const auto moment = static_cast<FrameTime>(frame);
+  const Between b = between(channel.moments, moment);
+  const Eigen::Vector3d& from = channel.keys[b.from].pose.motion.turn;
+  if (from.hasNaN() && channel.keys[b.to].pose.motion.turn.hasNaN()) return from;
+  return interpolated(channel.moments, channel.numbers, moment, interpolation_)
+      .segment<3>(kTurnOfNumbers);
 }
 
 Eigen::Matrix3Xd HandleMotion::rotations(FrameNumber frame) const {
   if (!turns_) return Eigen::Matrix3Xd(3, 0);
-  return columns([&](const Channel& channel) {
-    const auto [from, to, share] = between(channel, frame);
-    return rotation_between(from.pose.motion, to.pose.motion, share);
-  });
+  return columns([&](const Channel& channel) { return rotation(channel, frame); });
 }
 
 std::string HandleMotion::description() const {
   std::ostringstream text;
-  text << std::hexfloat << (smooth_ ? "smooth" : "linear");
+  text << std::hexfloat << name_of(interpolation_);
   for (const int i : handles_.fixed) text << " fix " << i;
   const auto describe = [&](const Channel& channel) {
     for (const Key& key : channel.keys) {
       const auto& [rest, offset, motion] = key.pose;
-      text << ' ' << key.frame << ' ' << key.weight << ' ' << offset.transpose();
+      text << ' ' << key.moment << ' ' << key.weight << ' ' << offset.transpose();
       if (is_translation(motion)) continue;
       text << " about " << motion.center.transpose() << ' ' << motion.turn.transpose() << ' '
            << motion.stretch.reshaped().transpose() << " from " << rest.transpose();

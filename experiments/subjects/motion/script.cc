@@ -1,8 +1,9 @@
-#include "experiments/subjects/animation/script.h"
+#include "experiments/subjects/motion/script.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "experiments/config/config.h"
 #include "geometry/core/error.h"
@@ -21,30 +22,50 @@ struct ScriptFile {
   }
 };
 
-TimedEdit keyframe(const KeyframeOptions& options, std::size_t number) {
-  return {options.frame, read_edit(options.edit),
-          fmt::format("keyframe {} ({})", number, options.edit.key_where())};
+FrameTime moment_of(const KeyframeOptions& o, double fps, const std::string& where) {
+  if (o.frame && o.time) {
+    throw InputError(fmt::format("{} has both 'frame' and 'time'; keep one of them", where));
+  }
+  if (o.frame) return static_cast<FrameTime>(*o.frame);
+  if (!o.time) {
+    throw InputError(fmt::format(
+        "missing key 'frame' of {}: give the number of the frame, or 'time' in seconds", where));
+  }
+  return static_cast<FrameTime>(*o.time) * fps;
+}
+
+TimedEdit keyframe(const KeyframeOptions& options, double fps, std::size_t number,
+                   const EditReader& read) {
+  const std::string where = fmt::format("keyframe {} ({})", number, options.edit.key_where());
+  return {moment_of(options, fps, where), read(options.edit), where};
 }
 
 void check_distinct(const std::vector<TimedEdit>& edits) {
   for (std::size_t i = 1; i < edits.size(); ++i) {
     if (!edits[i - 1].frame || edits[i - 1].frame != edits[i].frame) continue;
     throw InputError(fmt::format("{} and {} are both of frame {}; make one of them",
-                                 edits[i - 1].where, edits[i].where, *edits[i].frame));
+                                 edits[i - 1].where, edits[i].where, text_of(*edits[i].frame)));
   }
 }
 
 }  // namespace
 
-Script read_script(const ConfigNode& edit, const KeyframesOptions& options) {
-  Script script{options.pose, options.interpolation == Interpolation::kSmooth, {}};
+std::string text_of(FrameTime frame) {
+  const bool is_whole = frame == std::floor(frame) && std::abs(frame) < 9e18L;
+  if (is_whole) return std::to_string(static_cast<FrameNumber>(frame));
+  return fmt::format("{:.6g}", static_cast<double>(frame));
+}
+
+Script read_script(const ConfigNode& edit, const KeyframesOptions& options,
+                   const EditReader& read) {
+  Script script{options.pose, options.interpolation, {}};
   const bool has_edit = edit.kind != ConfigNode::Kind::kNull;
   if (!has_edit && options.keyframes.empty()) {
     throw InputError("nothing is edited: the edit has neither 'edit' nor 'keyframes'");
   }
-  if (has_edit) script.edits.push_back({{}, read_edit(edit), "edit (" + edit.key_where() + ")"});
+  if (has_edit) script.edits.push_back({{}, read(edit), "edit (" + edit.key_where() + ")"});
   for (std::size_t i = 0; i < options.keyframes.size(); ++i) {
-    script.edits.push_back(keyframe(options.keyframes[i], i + 1));
+    script.edits.push_back(keyframe(options.keyframes[i], options.fps, i + 1, read));
   }
   std::stable_sort(script.edits.begin(), script.edits.end(),
                    [](const auto& a, const auto& b) { return a.frame < b.frame; });

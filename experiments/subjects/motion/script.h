@@ -1,38 +1,38 @@
 #pragma once
 
-#include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/subjects/animation/frame_pattern.h"
+#include "experiments/subjects/motion/interpolation.h"
 #include "experiments/subjects/shape/edit.h"
 #include "geometry/core/options.h"
 
 namespace deformlab {
 
-/// A keyframe: one frame and its edit.
+/// A keyframe: one moment and its edit. Exactly one of frame and time is given.
 struct KeyframeOptions {
-  FrameNumber frame = 0;
+  std::optional<FrameNumber> frame;
+  std::optional<double> time;
   ConfigNode edit;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.required("frame", o.frame, "The number of the frame in which the edit holds");
+    visit("frame", o.frame, "The number of the frame in which the edit holds");
+    visit("time", o.time,
+          "Instead of `frame`: the time at which the edit holds, where frame 0 is at time 0 and "
+          "`fps` frames follow in each second [s]");
     visit.required("edit", o.edit, "Selections and what happens to them, as in `edit:`");
   }
 };
-
-/// How offsets change from one keyframe to the next: in proportion to time, or slowly at both ends.
-enum class Interpolation { kLinear, kSmooth };
-constexpr auto names_of(Interpolation) {
-  using enum Interpolation;
-  return std::to_array<EnumName<Interpolation>>({{kLinear, "linear"}, {kSmooth, "smooth"}});
-}
 
 /// The edits of an animation that change with time, in addition to `edit:` itself.
 struct KeyframesOptions {
   std::optional<FrameNumber> pose;
   Interpolation interpolation = Interpolation::kLinear;
+  double fps = 24;
+  int loop = 0;
   std::vector<KeyframeOptions> keyframes;
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -40,29 +40,41 @@ struct KeyframesOptions {
           "The frame that all selections and positions refer to, and on which the graph is built. "
           "By default `edit` refers to the first frame, and each keyframe to its own");
     visit("interpolation", o.interpolation,
-          "How offsets go from one keyframe to the next: in proportion to time, or slowly at both "
-          "ends");
+          "How a handle goes from one keyframe to the next: in proportion to time (linear), slowly "
+          "at both ends (smooth), or without a jump of its speed and without overshoot (spline)");
+    visit.range("fps", o.fps, {.min = 0, .max = 1000, .exclusive_min = true},
+                "The number of frames in a second: for `time`, and for an animation in one file");
+    visit.range("loop", o.loop, {.min = 0, .max = 65'535},
+                "How often an animation in one file is played; 0: for ever");
     visit("keyframes", o.keyframes, "Edits that change with time");
   }
 };
 
-/// One list of edits, and the frame in which it holds.
+/// One list of edits, and the moment at which it holds.
 struct TimedEdit {
-  std::optional<FrameNumber> frame;  ///< none: the edits hold in all frames
+  std::optional<FrameTime> frame;  ///< none: the edits hold in all frames
   std::vector<EditEntry> entries;
   std::string where;  ///< "keyframe 2 (line 7 of edit.yaml)", for messages
 };
 
+/// "3", or "2.4" for a moment between two frames.
+std::string text_of(FrameTime frame);
+
 /// How an animation is edited. `edit:` comes first, then the keyframes in the order of frames.
 struct Script {
   std::optional<FrameNumber> pose;
-  bool smooth = false;
+  Interpolation interpolation = Interpolation::kLinear;
   std::vector<TimedEdit> edits;
 };
 
+/// Reads the list under `edit:`: read_edit for shapes, read_plane_edit for drawings.
+using EditReader = std::function<std::vector<EditEntry>(const ConfigNode&)>;
+
 /// `edit` may be null if there are keyframes. Throws InputError (naming the line) for anything that
 /// is not in the grammar, for two keyframes of one frame, and if nothing is edited.
-Script read_script(const ConfigNode& edit, const KeyframesOptions& options);
+Script read_script(
+    const ConfigNode& edit, const KeyframesOptions& options,
+    const EditReader& read = [](const ConfigNode& list) { return read_edit(list); });
 
 /// Puts a YAML file with the keys `edit` and those of KeyframesOptions into the map `root`, as the
 /// keys `edit` and `animation` of a config. Throws InputError for another key.
