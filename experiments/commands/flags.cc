@@ -23,7 +23,8 @@ DEFINE_int32(nodes, deformlab::GraphOptions{}.nodes,
              "deform: the most nodes that the graph may have");
 DEFINE_int32(
     vertices, deformlab::TriangulationOptions{}.vertices,
-    "deform a drawing: number of vertices of its mesh; 0 chooses it by the width of its limbs");
+    "deform, animate: number of vertices of a drawing's mesh; 0 chooses it by the width of its "
+    "limbs");
 
 namespace deformlab {
 namespace {

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 
@@ -59,7 +60,8 @@ void add_file(const ConfigNode& node, std::vector<NamedFile>& files) {
 }
 
 void add_files(const ConfigNode& node, std::vector<NamedFile>& files) {
-  const bool is_file = node.key == "file" || node.key == "targets" || node.key == "mask";
+  constexpr std::array kFiles{"file", "targets", "mask", "cursor", "performance"};
+  const bool is_file = std::ranges::find(kFiles, node.key) != kFiles.end();
   if (is_file && node.kind == ConfigNode::Kind::kScalar) add_file(node, files);
   for (const ConfigNode& child : node.children) add_files(child, files);
 }

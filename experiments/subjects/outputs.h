@@ -14,7 +14,7 @@ struct NamedFile {
 };
 
 /// The files that exist and that a config names as what its run reads: the values of the keys
-/// `file`, `targets` and `mask`.
+/// `file`, `targets`, `mask`, `cursor` and `performance`.
 std::vector<NamedFile> files_in(const ConfigNode& config);
 
 /// Checks before the work whether files can be written after it. Throws InputError if a folder is

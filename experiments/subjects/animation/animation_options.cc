@@ -36,6 +36,12 @@ void check_animation(const RunOptions& options, const RunContext& context) {
     check_pictured(o.pictured, std::min(o.frames, kMostPictured), "animation.pictured");
     check(o.sequence, o.frames);
   }
+  if (o.keyframes.performed.given()) {
+    throw InputError(
+        "'poses', 'cursor', 'handles' and 'performance' are for drawings; an animation of a mesh "
+        "or "
+        "of particles takes 'keyframes'");
+  }
   read_script(options.edit, o.keyframes);
 }
 

@@ -32,7 +32,7 @@ class AnimatedDrawing : public Subject {
       : options_(options), context_(context) {}
 
   void check() const override {
-    frames_of(read_plane_script(options_.edit, options_.animation));
+    read_plane_script(options_.edit, options_.animation);
     check_drawing_options(options_);
     if (options_.output.steps) {
       throw InputError("output.steps is for one drawing; an animation has many; leave it out");
@@ -41,14 +41,15 @@ class AnimatedDrawing : public Subject {
   }
 
   void read() override {
-    const Script script = read_plane_script(options_.edit, options_.animation);
-    range_ = frames_of(script);
+    auto [script, spatial, range] = read_plane_script(options_.edit, options_.animation);
+    range_ = range;
     RunContext context = context_;
     if (context_.writes()) {
       frames_.emplace(*context_.command, range_);
       context.command->out = frames_->example().string();
     }
     drawing_.emplace(options_, context, all_entries(script));
+    if (spatial) follow_cursor(*spatial, script);
     const auto resolve = [&](const std::vector<EditEntry>& entries, FrameNumber) {
       ResolvedEdit edit = drawing_->resolve(entries);
       Eigen::Matrix3Xd rest = targets_at_rest(drawing_->rest(), edit.handles);
@@ -86,8 +87,9 @@ class AnimatedDrawing : public Subject {
 
   Run measure() const override {
     Run run = log_.run();
-    const std::vector<std::string>& notes = drawing_->scene().drawing.notes;
-    run.notes.insert(run.notes.begin(), notes.begin(), notes.end());
+    for (const std::vector<std::string>& notes : {notes_, drawing_->scene().drawing.notes}) {
+      run.notes.insert(run.notes.begin(), notes.begin(), notes.end());
+    }
     Metrics& metrics = run.measured.metrics;
     metrics["handles"] = static_cast<double>(rest_.cols());
     metrics["frames"] = static_cast<double>(range_.count());
@@ -117,6 +119,13 @@ class AnimatedDrawing : public Subject {
   }
 
  private:
+  void follow_cursor(const SpatialScript& spatial, Script& script) {
+    auto poses = std::make_shared<PerformedPoses>(spatial, drawing_->scene().drawing.page);
+    notes_ = poses->notes();
+    for (const std::string& note : notes_) LOG(WARNING) << note;
+    script.weights = [poses](FrameNumber frame) { return poses->weights(frame); };
+  }
+
   // Poses all frames and measures them. Where a command only writes, the order in depth is not
   // needed yet.
   void pose_all() {
@@ -194,8 +203,9 @@ class AnimatedDrawing : public Subject {
   std::optional<PosedDrawing> drawing_;
   std::optional<HandleMotion> motion_;
   Eigen::Matrix3Xd rest_;  // the handles with targets [length]
-  ResolvedEdit edit_;      // of the last frame that was posed
-  Report report_;          // of the last frame that was posed
+  std::vector<std::string> notes_;
+  ResolvedEdit edit_;  // of the last frame that was posed
+  Report report_;      // of the last frame that was posed
   Page page_;
   SolveLog log_;
   DepthJumps jumps_;
@@ -215,7 +225,7 @@ SubjectKind animated_drawing_kind() {
   kind.meaningless = {"shape", "drag"};
   kind.automatic = DeformerKind::kArap2d;
   kind.is_in = [](const RunOptions& options) {
-    return !options.drawing.file.empty() && !options.animation.keyframes.keyframes.empty();
+    return !options.drawing.file.empty() && options.animation.keyframes.given();
   };
   kind.set_defaults = set_drawing_defaults;
   kind.make = [](const RunOptions& options, const RunContext& context) -> std::unique_ptr<Subject> {

@@ -145,7 +145,7 @@ void complete_angles(const std::vector<std::vector<EditEntry>*>& lists) {
   for (std::vector<EditEntry>* list : lists) {
     for (EditEntry& entry : *list) {
       if (!entry.selection || entry.rotate || !turning.contains(name(entry))) continue;
-      entry.rotate = Turn{};
+      entry.rotate.emplace();
     }
   }
 }

@@ -5,16 +5,20 @@
 
 namespace deformlab {
 
-/// The script of an animated drawing. Its keyframes stand in the order of time, and there are two
-/// or more. Throws InputError as read_script does, for keyframes in another order, and for an
-/// option of meshes.
-Script read_plane_script(const ConfigNode& edit, const AnimationOptions& options);
+/// The script of an animated drawing. It has either keyframes, or poses and a cursor, or handles
+/// and their performance. A performance becomes keyframes.
+struct PlaneScript {
+  Script script;
+  std::optional<SpatialScript> spatial;  ///< of poses and a cursor
+  FrameRange range;                      ///< from the first moment that is recorded to the last one
+};
+
+/// Keyframes stand in the order of time, and there are two or more; so are poses, no two at one
+/// point. Throws InputError as read_script, read_cursor and read_performance do, for keyframes in
+/// another order, for an option of meshes, and for a frame below 0, too many frames, or none.
+PlaneScript read_plane_script(const ConfigNode& edit, const AnimationOptions& options);
 
 /// All entries of a script.
 std::vector<EditEntry> all_entries(const Script& script);
-
-/// The frames of an animated drawing: from the first keyframe to the last one. Throws InputError
-/// for a frame below 0, for too many frames, and if there is none.
-FrameRange frames_of(const Script& script);
 
 }  // namespace deformlab

@@ -49,10 +49,15 @@ HandleMotion::HandleMotion(const Script& script, const FrameRange& range,
     : HandleMotion(script, range, resolve_in_shapes(pose_of)) {}
 
 HandleMotion::HandleMotion(const Script& script, const FrameRange& range, const Resolve& resolve_in)
-    : interpolation_(script.interpolation) {
+    : interpolation_(script.interpolation), weights_(script.weights) {
   if (script.pose) check_frame(static_cast<FrameTime>(*script.pose), range, "'pose'");
   for (const TimedEdit& edit : script.edits) {
-    if (edit.frame) check_frame(*edit.frame, range, edit.where);
+    if (!edit.frame) continue;
+    if (weights_) {
+      poses_.push_back(edit.where);
+    } else {
+      check_frame(*edit.frame, range, edit.where);
+    }
   }
   for (const TimedEdit& edit : script.edits) {
     const FrameNumber pose = script.pose.value_or(nearest_frame(edit.frame, range));
@@ -112,7 +117,26 @@ void HandleMotion::add_key(Channel& channel, const TimedEdit& edit, const Key& k
   channel.keys.push_back(key);
 }
 
+// A pose that does not name a handle says nothing about it, so that nothing can be blended.
+void HandleMotion::check_poses(const Channel& channel, const std::string& handle) const {
+  if (!weights_ || channel.always) return;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const auto is_it = [&](const Key& key) { return key.moment == static_cast<FrameTime>(i); };
+    if (std::ranges::any_of(channel.keys, is_it)) continue;
+    throw InputError(fmt::format(
+        "{} does not name {}, which {} names; each pose says where each handle is, 'by: "
+        "[0, 0]' where it stays",
+        poses_[i], handle, channel.where));
+  }
+}
+
 void HandleMotion::collect() {
+  for (const auto& [vertex, channel] : vertices_) {
+    check_poses(channel, fmt::format("vertex {}", vertex));
+  }
+  for (const auto& [place, channel] : points_) {
+    check_poses(channel, fmt::format("the point ({:g}, {:g})", place[0], place[1]));
+  }
   for (const auto& [vertex, edit] : fixed_) handles_.fixed.push_back(vertex);
   for (const auto& [vertex, channel] : vertices_) handles_.moved.push_back(vertex);
   handles_.points.resize(3, std::ssize(points_));
@@ -155,18 +179,14 @@ Eigen::Matrix3Xd HandleMotion::columns(Column&& column) const {
   return result;
 }
 
-Eigen::Matrix3Xd HandleMotion::offsets(FrameNumber frame) const {
-  const auto moment = static_cast<FrameTime>(frame);
-  return columns([&](const Channel& channel) -> Eigen::Vector3d {
-    const Between b = between(channel.moments, moment);
-    if (b.share == 0) return channel.keys[b.from].pose.offset;
-    return offset_of(interpolated(channel.moments, channel.numbers, moment, interpolation_));
-  });
+Eigen::Vector3d HandleMotion::offset(const Channel& channel, FrameTime moment) const {
+  const Between b = between(channel.moments, moment);
+  if (b.share == 0) return channel.keys[b.from].pose.offset;
+  return offset_of(interpolated(channel.moments, channel.numbers, moment, interpolation_));
 }
 
-// NaN where neither key around the frame says anything about a rotation.
-Eigen::Vector3d HandleMotion::rotation(const Channel& channel, FrameNumber frame) const {
-  const auto moment = static_cast<FrameTime>(frame);
+// NaN where neither key around the moment says anything about a rotation.
+Eigen::Vector3d HandleMotion::rotation(const Channel& channel, FrameTime moment) const {
   const Between b = between(channel.moments, moment);
   const Eigen::Vector3d& from = channel.keys[b.from].pose.motion.turn;
   if (from.hasNaN() && channel.keys[b.to].pose.motion.turn.hasNaN()) return from;
@@ -174,9 +194,31 @@ Eigen::Vector3d HandleMotion::rotation(const Channel& channel, FrameNumber frame
       .segment<3>(kTurnOfNumbers);
 }
 
+Eigen::Matrix3Xd HandleMotion::offsets(FrameNumber frame) const {
+  if (!weights_) {
+    const auto moment = static_cast<FrameTime>(frame);
+    return columns([&](const Channel& channel) { return offset(channel, moment); });
+  }
+  const Eigen::VectorXd weights = weights_(frame);
+  return columns([&](const Channel& channel) -> Eigen::Vector3d {
+    if (channel.always) return channel.keys.front().pose.offset;
+    return offset_of(blended(channel.numbers, weights));
+  });
+}
+
 Eigen::Matrix3Xd HandleMotion::rotations(FrameNumber frame) const {
   if (!turns_) return Eigen::Matrix3Xd(3, 0);
-  return columns([&](const Channel& channel) { return rotation(channel, frame); });
+  if (!weights_) {
+    const auto moment = static_cast<FrameTime>(frame);
+    return columns([&](const Channel& channel) { return rotation(channel, moment); });
+  }
+  const Eigen::VectorXd weights = weights_(frame);
+  return columns([&](const Channel& channel) -> Eigen::Vector3d {
+    const bool known = std::ranges::any_of(
+        channel.keys, [](const Key& key) { return !key.pose.motion.turn.hasNaN(); });
+    if (channel.always || !known) return channel.keys.front().pose.motion.turn;
+    return blended(channel.numbers, weights).segment<3>(kTurnOfNumbers);
+  });
 }
 
 std::string HandleMotion::description() const {

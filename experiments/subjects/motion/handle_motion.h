@@ -27,7 +27,8 @@ class HandleMotion {
   /// its motion is interpolated, so that it turns along an arc and by any angle. Before the first
   /// and after the last its offset is constant. `pose_of` gives the shape in a frame. Throws
   /// InputError as `resolve` does, for a keyframe or pose that is not a frame of the range, and for
-  /// a vertex that one edit moves and another fixes or moves in all frames.
+  /// a vertex that one edit moves and another fixes or moves in all frames. Poses that a cursor
+  /// blends have to name each handle that one of them names.
   HandleMotion(const Script& script, const FrameRange& range,
                const std::function<Shape(FrameNumber)>& pose_of);
   /// The same, where `resolve_in` resolves entries in the pose of a frame.
@@ -62,7 +63,9 @@ class HandleMotion {
   void fix(int vertex, const TimedEdit& edit);
   void add_key(Channel& channel, const TimedEdit& edit, const Key& key, const std::string& what);
   void collect();
-  Eigen::Vector3d rotation(const Channel& channel, FrameNumber frame) const;
+  void check_poses(const Channel& channel, const std::string& handle) const;
+  Eigen::Vector3d offset(const Channel& channel, FrameTime moment) const;
+  Eigen::Vector3d rotation(const Channel& channel, FrameTime moment) const;
   // A matrix of one column for each handle: column(channel).
   template <class Column>
   Eigen::Matrix3Xd columns(Column&& column) const;
@@ -71,8 +74,10 @@ class HandleMotion {
   static void for_each_channel(Self& self, Visit&& visit);
 
   Interpolation interpolation_;
-  bool turns_ = false;  // an edit rotates
-  int groups_ = 0;      // of all edits so far
+  std::function<Eigen::VectorXd(FrameNumber)> weights_;  // of poses, if a cursor blends them
+  std::vector<std::string> poses_;                       // where they are
+  bool turns_ = false;                                   // an edit rotates
+  int groups_ = 0;                                       // of all edits so far
   std::map<int, Channel> vertices_;
   std::map<Point, Channel> points_;
   std::map<int, std::string> fixed_;  // vertices, and the edits that fix them

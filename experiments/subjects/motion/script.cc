@@ -58,7 +58,7 @@ std::string text_of(FrameTime frame) {
 
 Script read_script(const ConfigNode& edit, const KeyframesOptions& options,
                    const EditReader& read) {
-  Script script{options.pose, options.interpolation, {}};
+  Script script{options.pose, options.interpolation, {}, {}};
   const bool has_edit = edit.kind != ConfigNode::Kind::kNull;
   if (!has_edit && options.keyframes.empty()) {
     throw InputError("nothing is edited: the edit has neither 'edit' nor 'keyframes'");

@@ -7,6 +7,7 @@
 
 #include "experiments/subjects/animation/frame_pattern.h"
 #include "experiments/subjects/motion/interpolation.h"
+#include "experiments/subjects/motion/performance.h"
 #include "experiments/subjects/shape/edit.h"
 #include "geometry/core/options.h"
 
@@ -34,6 +35,11 @@ struct KeyframesOptions {
   double fps = 24;
   int loop = 0;
   std::vector<KeyframeOptions> keyframes;
+  PerformanceOptions performed;
+
+  /// Whether something changes with time.
+  bool given() const { return !keyframes.empty() || performed.given(); }
+
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
     visit("pose", o.pose,
@@ -47,6 +53,7 @@ struct KeyframesOptions {
     visit.range("loop", o.loop, {.min = 0, .max = 65'535},
                 "How often an animation in one file is played; 0: for ever");
     visit("keyframes", o.keyframes, "Edits that change with time");
+    PerformanceOptions::fields(o.performed, visit);
   }
 };
 
@@ -65,6 +72,9 @@ struct Script {
   std::optional<FrameNumber> pose;
   Interpolation interpolation = Interpolation::kLinear;
   std::vector<TimedEdit> edits;
+  /// The weights of poses in a frame: the edits with a moment are then poses, and their moments are
+  /// the numbers of the poses, from 0. Otherwise they are keyframes.
+  std::function<Eigen::VectorXd(FrameNumber)> weights = {};
 };
 
 /// Reads the list under `edit:`: read_edit for shapes, read_plane_edit for drawings.
