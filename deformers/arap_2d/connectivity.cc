@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <numeric>
 #include <utility>
 
 #include "geometry/core/disjoint_sets.h"
@@ -12,14 +12,29 @@ namespace {
 
 constexpr double kHingeWeight = 1e-3;  // relative to the lesser weight of the two triangles
 
-// Triangles that are connected by shared edges have the same root.
+// Triangles that are connected by shared edges have the same root. Edges are sorted by their lower
+// vertices, and those of one lower vertex are found by their upper ones.
 DisjointSets sets_by_shared_edges(const Triangulation& mesh) {
+  std::vector<int> begin(mesh.V.cols() + 2, 0);
+  const auto for_each_edge = [&](auto&& visit) {
+    for (int f = 0; f < mesh.F.cols(); ++f) {
+      for (int c = 0; c < 3; ++c) {
+        const auto [low, high] = std::minmax({mesh.F(c, f), mesh.F((c + 1) % 3, f)});
+        visit(low, high, f);
+      }
+    }
+  };
+  for_each_edge([&](int low, int, int) { ++begin[low + 2]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::pair<int, int>> edges(begin.back());  // upper vertices and triangles
+  for_each_edge([&](int low, int high, int f) { edges[begin[low + 1]++] = {high, f}; });
   DisjointSets sets(mesh.F.cols());
-  std::map<std::pair<int, int>, int> at_edge;
-  for (int f = 0; f < mesh.F.cols(); ++f) {
-    for (int c = 0; c < 3; ++c) {
-      const auto edge = std::minmax({mesh.F(c, f), mesh.F((c + 1) % 3, f)});
-      sets.join(f, at_edge.try_emplace(edge, f).first->second);
+  std::vector<std::pair<int, int>> first(mesh.V.cols(), {-1, 0});  // a lower vertex, and a triangle
+  for (int low = 0; low < mesh.V.cols(); ++low) {
+    for (int e = begin[low]; e < begin[low + 1]; ++e) {
+      const auto [high, f] = edges[e];
+      if (first[high].first != low) first[high] = {low, f};
+      sets.join(f, first[high].second);
     }
   }
   return sets;

@@ -39,8 +39,9 @@ struct RegisteredMesh {
   PanelCholesky<double> H_grounded;
 
  private:
-  void sort_vertices(const Triangulation& mesh, const Eigen::VectorXd& weights);
-  void assemble(const Triangulation& mesh, const Eigen::VectorXd& weights);
+  void sort_vertices(const Triangulation& mesh, const Eigen::SparseMatrix<double>& structure);
+  void assemble(const Eigen::Matrix3Xi& all, const Eigen::VectorXd& weights,
+                const Eigen::VectorXd& weak);
   void ground();
 };
 

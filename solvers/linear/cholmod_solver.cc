@@ -52,13 +52,15 @@ CholmodSolver::~CholmodSolver() {
 }
 
 Eigen::VectorXi CholmodSolver::order(const SparseMatrix& lower, int group, bool quick) {
-  const SparseMatrix groups = quotient(lower, group);
-  cholmod_sparse G = cholmod_view(groups), A = cholmod_view(lower);
+  cholmod_sparse A = cholmod_view(lower);
   cholmod_common& common = cholmod_.common;
   common.nmethods = quick ? 0 : 2;  // 0: CHOLMOD's strategy is AMD and, if that is poor, METIS
   common.method[0].ordering = CHOLMOD_METIS;
   common.method[1].ordering = CHOLMOD_AMD;
   common.postorder = 1;
+  if (group == 1) return take(cholmod_analyze(&A, &common));
+  const SparseMatrix groups = quotient(lower, group);
+  cholmod_sparse G = cholmod_view(groups);
   std::vector<int> given = expand(take(cholmod_analyze(&G, &common)), group);
   cholmod_.use_ordering(CHOLMOD_GIVEN, true);  // sorts the rows by a postorder
   return take(cholmod_analyze_p(&A, given.data(), nullptr, 0, &common));

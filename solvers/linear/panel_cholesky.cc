@@ -16,71 +16,66 @@ using Complex = std::complex<double>;
 
 constexpr int kWidth = 4;  // the most columns in a panel
 
-// Four entries of a row of the current panel, in registers and in memory.
 template <class Scalar>
-struct Four;
-template <>
-struct Four<double> {
-  using Array = SimdBlock;
-};
-template <>
-struct Four<Complex> {
-  using Array = Eigen::Array<Complex, 4, 1>;
-};
-DEFORMLAB_INLINE void read(const double* entries, SimdBlock& four) { four = simd_block(entries).v; }
-DEFORMLAB_INLINE void read(const Complex* entries, Four<Complex>::Array& four) {
-  four = Eigen::Map<const Four<Complex>::Array>(entries);
-}
-DEFORMLAB_INLINE void subtract(const SimdBlock& four, double* entries) {
-  simd_block(entries).v -= four;
-}
-DEFORMLAB_INLINE void subtract(const Four<Complex>::Array& four, Complex* entries) {
-  Eigen::Map<Four<Complex>::Array>{entries} -= four;
-}
+constexpr int kNumbers = sizeof(Scalar) / sizeof(double);  // 2 for complex numbers
 
 double conjugate(double a) { return a; }
 Complex conjugate(const Complex& a) { return std::conj(a); }
 
-// Subtracts the contribution of an earlier panel from the rows of the current one, four entries
-// each.
-//   coefficient  width × 4: the earlier panel's conjugate entries in the rows of the new columns
-template <int width, class Scalar>
-DEFORMLAB_INLINE void subtract_rows(const int* row, int rows, const Scalar* value,
-                                    const Scalar* coefficient, const int* position, Scalar* work) {
-  using Array = typename Four<Scalar>::Array;
-  Array c[width];
-  for (int q = 0; q < width; ++q) read(coefficient + 4 * q, c[q]);
-  for (int r = 0; r < rows; ++r, value += width) {
-    Array sum = value[0] * c[0];
-    for (int q = 1; q < width; ++q) sum += value[q] * c[q];
-    subtract(sum, work + 4 * std::ptrdiff_t(position[row[r]]));
+// Subtracts the contribution of an earlier panel from the rows of the current one, which have four
+// entries each.
+//   blocks  1 for real entries and 2 for complex ones
+//   terms   the real numbers in a row of the earlier panel: `blocks` for each of its columns
+//   coefficient  terms × 4·blocks numbers: what each of them is multiplied by
+template <int terms, int blocks>
+DEFORMLAB_INLINE void subtract_rows(const int* row, int rows, const double* value,
+                                    const double* coefficient, const int* position, double* work) {
+  SimdBlock c[terms][blocks];
+  for (int t = 0; t < terms; ++t) {
+    for (int b = 0; b < blocks; ++b) c[t][b] = simd_block(coefficient + 4 * (blocks * t + b)).v;
+  }
+  for (int r = 0; r < rows; ++r, value += terms) {
+    double* own = work + 4 * blocks * std::ptrdiff_t(position[row[r]]);
+    for (int b = 0; b < blocks; ++b) {
+      SimdBlock sum = value[0] * c[0][b];
+      for (int t = 1; t < terms; ++t) sum += value[t] * c[t][b];
+      simd_block(own + 4 * b).v -= sum;
+    }
   }
 }
 
-template <class Scalar>
-DEFORMLAB_INLINE void subtract_rows(int width, const int* row, int rows, const Scalar* value,
-                                    const Scalar* coefficient, const int* position, Scalar* work) {
+template <int blocks>
+DEFORMLAB_INLINE void subtract_rows(int width, const int* row, int rows, const double* value,
+                                    const double* coefficient, const int* position, double* work) {
   switch (width) {
     case 1:
-      return subtract_rows<1>(row, rows, value, coefficient, position, work);
+      return subtract_rows<blocks, blocks>(row, rows, value, coefficient, position, work);
     case 2:
-      return subtract_rows<2>(row, rows, value, coefficient, position, work);
+      return subtract_rows<2 * blocks, blocks>(row, rows, value, coefficient, position, work);
     case 3:
-      return subtract_rows<3>(row, rows, value, coefficient, position, work);
+      return subtract_rows<3 * blocks, blocks>(row, rows, value, coefficient, position, work);
     default:
-      return subtract_rows<kWidth>(row, rows, value, coefficient, position, work);
+      return subtract_rows<kWidth * blocks, blocks>(row, rows, value, coefficient, position, work);
   }
 }
 
 DEFORMLAB_SIMD_DISPATCH
 void subtract_panel(int width, const int* row, int rows, const double* value,
                     const double* coefficient, const int* position, double* work) {
-  subtract_rows(width, row, rows, value, coefficient, position, work);
+  subtract_rows<1>(width, row, rows, value, coefficient, position, work);
+}
+
+DEFORMLAB_SIMD_DISPATCH
+void subtract_complex_panel(int width, const int* row, int rows, const double* value,
+                            const double* coefficient, const int* position, double* work) {
+  subtract_rows<2>(width, row, rows, value, coefficient, position, work);
 }
 
 void subtract_panel(int width, const int* row, int rows, const Complex* value,
                     const Complex* coefficient, const int* position, Complex* work) {
-  subtract_rows(width, row, rows, value, coefficient, position, work);
+  subtract_complex_panel(width, row, rows, reinterpret_cast<const double*>(value),
+                         reinterpret_cast<const double*>(coefficient), position,
+                         reinterpret_cast<double*>(work));
 }
 
 }  // namespace
@@ -192,11 +187,15 @@ void PanelCholesky<Scalar>::subtract(int q, const Panel& panel, Workspace& w) co
   const int* row = rows_.data() + left.index;
   const Scalar* value = values_.data() + left.values + left.width * (left.width + 1) / 2;
   const int from = w.reached[q];
-  Scalar coefficient[4 * kWidth] = {};
+  Scalar coefficient[4 * kWidth * kNumbers<Scalar>] = {};
   int to = from;
   for (; to < left.rows && row[to] < panel.first + panel.width; ++to) {
+    Scalar* column = coefficient + row[to] - panel.first;
     for (int i = 0; i < left.width; ++i) {
-      coefficient[4 * i + row[to] - panel.first] = conjugate(value[to * left.width + i]);
+      const Scalar c = conjugate(value[to * left.width + i]);
+      column[4 * kNumbers<Scalar> * i] = c;
+      // The imaginary part of an entry is multiplied by i c.
+      if constexpr (kNumbers<Scalar> == 2) column[8 * i + 4] = {-c.imag(), c.real()};
     }
   }
   subtract_panel(left.width, row + from, left.rows - from,
