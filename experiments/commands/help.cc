@@ -35,7 +35,8 @@ Commands
 
   deformlab animate DRAWING --edit KEYS.yaml --out 'frame-%03d.png' | --out MOVIE.webp
                     [--vertices N] [key=value]... [--metrics FILE.json] [--picture FILE.png]
-      Lets a drawing move. KEYS.yaml has `keyframes:` of its handles. The keys fps, loop and
+      Lets a drawing move. KEYS.yaml has `keyframes:` of its handles, or `poses:` and the CSV file of
+      a `cursor:`, or `handles:` and the CSV file of their `performance:`. The keys fps, loop and
       interpolation have these short names here.
 
   deformlab animate --frames 'horse-%03d.obj' --edit EDIT.yaml --out 'edited-%03d.obj'

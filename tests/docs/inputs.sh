@@ -27,3 +27,16 @@ awk 'BEGIN {
   for (f = 0; f < 20; ++f) for (id = f < 9 ? 0 : f - 9; id <= f; ++id)
     printf "%d,%d,%.9g,%.9g,%.9g\n", f, id, 0.5 * (f - id), 0.1 * sin(id), 0.1 * cos(id)
 }' >cache.csv
+
+# path.csv: a cursor that goes round; moves.csv: two handles that were recorded at once.
+awk 'BEGIN {
+  print "time,x,y"
+  for (i = 0; i <= 12; ++i) { a = i * 0.5235987756
+    printf "%.3f,%.3f,%.3f\n", i / 12, 200 + 100 * cos(a), 230 + 80 * sin(a) }
+}' >path.csv
+awk 'BEGIN {
+  print "time,handle,x,y,angle"
+  for (i = 0; i <= 6; ++i) { a = i * 0.5235987756
+    printf "%.3f,hand,%.3f,%.3f,\n", i / 12, 350 + 20 * sin(a), 193 - 80 * sin(a)
+    printf "%.3f,head,200,80,%.3f\n", i / 12, 20 * sin(a) }
+}' >moves.csv
