@@ -60,6 +60,8 @@ std::string sequence_line(const fs::path& folder) {
   for (const std::string& name : names) {
     text += " [" + name + "](" + folder.filename().string() + "/frames/" + name + ".png)";
   }
+  const std::string movie = folder.filename().string() + "/movie.webp";
+  if (fs::exists(folder / "movie.webp", none)) text += fmt::format("; [all of them]({})", movie);
   return text + "\n\n";
 }
 
@@ -121,7 +123,8 @@ void write_gallery(const fs::path& results) {
       "# Results\n\n`./deformlab run configs/*.yaml` makes all results and writes this page. The "
       "folder of each picture also holds the config with every default (config.yaml), all "
       "measurements (metrics.json), the steps of the solves (trace*.csv), the pictures of an "
-      "animation (frames/), what depends on the machine (times.json and environment.json), and the "
+      "animation (frames/, and movie.webp, which plays them), what depends on the machine "
+      "(times.json and environment.json), and the "
       "list of these files (manifest.txt).\n\n";
   for (const fs::path& folder : folders) text += section_or_nothing(folder);
   text.pop_back();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "drawing/bitmap/webp_movie.h"
 #include "experiments/commands/environment.h"
 #include "geometry/core/files.h"
 #include "geometry/core/output_calls.h"
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFrames = "frames";
+constexpr const char* kMovie = "movie.webp";
 
 // Columns of a sweep's table, in addition to the keys that it sweeps over.
 constexpr const char* kTableMetrics[] = {"iterations",          "converged", "cost",
@@ -131,6 +133,25 @@ std::string trace_csv(const Summary& solve) {
   return csv.str();
 }
 
+Bitmap opaque(const Image& image) {
+  Bitmap bitmap(image.width, image.height);
+  for (std::size_t i = 0; i < bitmap.rgba.size() / 4; ++i) {
+    std::copy_n(image.rgb.data() + 3 * i, 3, bitmap.rgba.data() + 4 * i);
+    bitmap.rgba[4 * i + 3] = 255;
+  }
+  return bitmap;
+}
+
+// The pictures of the sequence as one animation, in the time of its frames.
+std::string movie_of(const Outcome& outcome) {
+  const AnimationOptions& o = outcome.config.run.animation;
+  const Image& first = outcome.frames.front();
+  const double fps = o.keyframes.fps / std::max(1, o.sequence.every);
+  WebpMovie movie(first.width, first.height, fps, o.keyframes.loop);
+  for (const Image& picture : outcome.frames) movie.add(opaque(picture));
+  return movie.finish();
+}
+
 std::string picture_name(std::size_t i) { return fmt::format("{:04}.png", i); }
 
 std::string trace_name(std::size_t run, std::size_t runs) {
@@ -188,6 +209,7 @@ std::vector<std::string> result_names(std::size_t runs, std::size_t frames) {
   for (std::size_t i = 0; i < frames; ++i) {
     names.push_back(fmt::format("{}/{}", kFrames, picture_name(i)));
   }
+  if (frames > 0) names.emplace_back(kMovie);
   return names;
 }
 
@@ -209,6 +231,7 @@ void write_results(const Outcome& outcome, const fs::path& folder) {
   for (std::size_t i = 0; i < outcome.frames.size(); ++i) {
     write_png(outcome.frames[i], folder / kFrames / picture_name(i));
   }
+  if (!outcome.frames.empty()) write_file(folder / kMovie, movie_of(outcome));
 }
 
 std::string to_json(const Run& run) {

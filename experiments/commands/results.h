@@ -11,7 +11,8 @@ namespace deformlab {
 /// Writes into `folder`: config.yaml (with every default), metrics.json, environment.json,
 /// times.json (all seconds, so that the other files are the same bytes in every run), a trace of
 /// each solve (trace.csv, or for a sweep trace_001.csv, trace_002.csv and so on), table.md for a
-/// sweep, picture.png, and frames/0000.png and so on for an image sequence of an animation.
+/// sweep, picture.png, and for an image sequence of an animation frames/0000.png and so on, and
+/// movie.webp, which plays them.
 void write_results(const Outcome& outcome, const std::filesystem::path& folder);
 
 /// The names of the files that write_results writes for so many runs and so many pictures of a

@@ -40,8 +40,9 @@ TEST(AllOptions, AreDescribedByPhrases) {
 }
 
 TEST(AllOptions, HaveUnitsOfOneList) {
-  const std::set<std::string> known{"[length]", "[length_unit]", "[degree]", "[frame]",
-                                    "[pixel]",  "[pixel²]",      "[MB]",     "[pixel/length]"};
+  const std::set<std::string> known{"[length]", "[length_unit]",  "[degree]",
+                                    "[frame]",  "[pixel]",        "[pixel²]",
+                                    "[MB]",     "[pixel/length]", "[s]"};
   const std::set<std::string> coordinates{"[x, y]", "[x, y, z]", "[dx, dy, dz]",
                                           "[x0, y0, x1, y1]"};
   const std::regex bracket(R"(\[[^\]]*\])");

@@ -94,6 +94,10 @@ class AnimatedDrawing : public Subject {
     metrics["handles"] = static_cast<double>(rest_.cols());
     metrics["frames"] = static_cast<double>(range_.count());
     metrics["depth_jumps"] = jumps_.count();
+    if (poses_) {
+      metrics["poses_met"] = static_cast<double>(met_.size());
+      metrics["pose_error"] = pose_error_;
+    }
     metrics.insert(greatest_.begin(), greatest_.end());
     return run;
   }
@@ -105,6 +109,9 @@ class AnimatedDrawing : public Subject {
       if (pictures.empty()) pictures.add_rest(pictured);
       const std::string name = fmt::format("{}, frame {}", caption, frame);
       if (seen_->is_in_sheet(frame)) pictures.add_deformed(pictured, seen.V, seen.depths, name);
+      if (!seen_->is_in_sequence(frame)) continue;
+      pictures.add_to_sequence(frame, pictured, seen.V, seen.depths,
+                               fmt::format("frame {}", frame));
     }
   }
 
@@ -120,10 +127,27 @@ class AnimatedDrawing : public Subject {
 
  private:
   void follow_cursor(const SpatialScript& spatial, Script& script) {
-    auto poses = std::make_shared<PerformedPoses>(spatial, drawing_->scene().drawing.page);
-    notes_ = poses->notes();
+    poses_ = std::make_shared<PerformedPoses>(spatial, drawing_->scene().drawing.page);
+    notes_ = poses_->notes();
     for (const std::string& note : notes_) LOG(WARNING) << note;
-    script.weights = [poses](FrameNumber frame) { return poses->weights(frame); };
+    script.weights = [poses = poses_](FrameNumber frame) { return poses->weights(frame); };
+  }
+
+  // Remembers the shape where the cursor is at the point of a pose.
+  void meet_pose(FrameNumber frame) {
+    const std::optional<std::size_t> pose = poses_->pose_at(frame);
+    if (pose) met_.try_emplace(*pose, frame, drawing_->V());
+  }
+
+  // Compares these shapes with those of the poses by themselves.
+  void measure_poses() {
+    const double size = bounding_box_diagonal(drawing_->rest().V);
+    for (const auto& [pose, met] : met_) {
+      update(met.first);
+      drawing_->deformer().update(rest_ + motion_->offsets_of_pose(pose));
+      const Eigen::Matrix2Xd V = drawing_->deformer().deformed().V.topRows<2>();
+      pose_error_ = std::max(pose_error_, (V - met.second).colwise().norm().maxCoeff() / size);
+    }
   }
 
   // Poses all frames and measures them. Where a command only writes, the order in depth is not
@@ -143,9 +167,11 @@ class AnimatedDrawing : public Subject {
       log_.add(frame, report_, bounding_box_diagonal(drawing_->rest().V));
       find_shortfalls(frame);
       if (looks) look(frame);
+      if (looks && poses_) meet_pose(frame);
       if (context_.writes()) extend_page();
       if (progress) progress->show(i + 1, range_.count());
     }
+    if (looks) measure_poses();
   }
 
   void update(FrameNumber frame) {
@@ -202,7 +228,10 @@ class AnimatedDrawing : public Subject {
   std::optional<DrawingFrames> frames_;  // where a command writes them
   std::optional<PosedDrawing> drawing_;
   std::optional<HandleMotion> motion_;
-  Eigen::Matrix3Xd rest_;  // the handles with targets [length]
+  Eigen::Matrix3Xd rest_;                        // the handles with targets [length]
+  std::shared_ptr<const PerformedPoses> poses_;  // that a cursor blends, if there is one
+  std::map<std::size_t, std::pair<FrameNumber, Eigen::Matrix2Xd>> met_;  // by pose
+  double pose_error_ = 0;                                                // [diagonal]
   std::vector<std::string> notes_;
   ResolvedEdit edit_;  // of the last frame that was posed
   Report report_;      // of the last frame that was posed

@@ -10,7 +10,9 @@ namespace deformlab {
 /// that was stopped goes on after the files that it made, and ends with the same bytes.
 ///
 /// The metrics are those of SolveLog, and the greatest values over all frames of
-/// PosedDrawing::metrics; frames; and depth_jumps (DepthJumps).
+/// PosedDrawing::metrics; frames; and depth_jumps (DepthJumps). Where a cursor blends poses:
+/// poses_met, the number of poses to whose points the cursor comes in a frame, and pose_error, the
+/// greatest distance there of a vertex from where the pose by itself has it [diagonal].
 SubjectKind animated_drawing_kind();
 
 }  // namespace deformlab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,8 +37,14 @@ class DrawingBook : public Book {
   /// 2×3#F (Igarashi et al. 2005, Figure 3).
   void add_steps(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& intermediate,
                  const Eigen::Matrix2Xd& fitted);
+  /// Shows a frame of an animation in the picture of the sequence that has this number. Each run
+  /// that is added has a panel in it.
+  void add_to_sequence(std::int64_t frame, const PicturedDrawing& pictured,
+                       const Eigen::Matrix2Xd& V, const Eigen::VectorXd& depth,
+                       const std::string& caption);
   bool empty() const override { return panels_.empty(); }
   Image render() const override;
+  std::vector<Image> sequence(int width) const override;
 
  private:
   struct Entry {
@@ -46,11 +53,15 @@ class DrawingBook : public Book {
     Page drawn_on;
     std::optional<Page> page;
   };
-  std::vector<Page> frames() const;
+  static std::vector<Page> frames(const std::vector<Entry>& panels);
+  static std::vector<Image> draw(const std::vector<Entry>& panels, int width);
+  DrawingPanel deformed_panel(const PicturedDrawing& pictured, const Eigen::Matrix2Xd& V,
+                              const Eigen::VectorXd& depth, const std::string& caption) const;
   void add(const PicturedDrawing& pictured, DrawingPanel panel);
 
   PictureOptions options_;
   std::vector<Entry> panels_;
+  std::map<std::int64_t, std::vector<Entry>> sequence_;
 };
 
 /// The book of all kinds of subjects that are drawings.

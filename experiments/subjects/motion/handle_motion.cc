@@ -206,6 +206,11 @@ Eigen::Matrix3Xd HandleMotion::offsets(FrameNumber frame) const {
   });
 }
 
+Eigen::Matrix3Xd HandleMotion::offsets_of_pose(std::size_t pose) const {
+  return columns(
+      [&](const Channel& channel) { return channel.keys[channel.always ? 0 : pose].pose.offset; });
+}
+
 Eigen::Matrix3Xd HandleMotion::rotations(FrameNumber frame) const {
   if (!turns_) return Eigen::Matrix3Xd(3, 0);
   if (!weights_) {

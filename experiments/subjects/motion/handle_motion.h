@@ -39,6 +39,8 @@ class HandleMotion {
   const Handles& handles() const { return handles_; }
   /// The offsets of handles().moved and then of handles().points in a frame, 3×# [length].
   Eigen::Matrix3Xd offsets(FrameNumber frame) const;
+  /// The same of one of the poses that a cursor blends, by its number from 0.
+  Eigen::Matrix3Xd offsets_of_pose(std::size_t pose) const;
   /// How these handles turn in a frame, as in Handles; 3×0 if no edit turns any.
   Eigen::Matrix3Xd rotations(FrameNumber frame) const;
   std::string description() const;  ///< all handles and offsets as text, for a fingerprint

@@ -84,7 +84,7 @@ CursorPath read_cursor(const ConfigNode& file, double fps) {
 }
 
 PerformedPoses::PerformedPoses(const SpatialScript& script, const Eigen::AlignedBox2d& page)
-    : cursor_(script.cursor), keys_(script.points) {
+    : points_(script.points), cursor_(script.cursor), keys_(script.points) {
   Eigen::AlignedBox2d canvas = page;
   for (const auto& point : script.points.colwise()) canvas.extend(Eigen::Vector2d(point));
   const Eigen::AlignedBox2d limit = grown(canvas, kBeyond);
@@ -110,11 +110,24 @@ PerformedPoses::PerformedPoses(const SpatialScript& script, const Eigen::Aligned
                         : note);
 }
 
-Eigen::VectorXd PerformedPoses::weights(FrameNumber frame) const {
+Eigen::Vector2d PerformedPoses::place(FrameNumber frame) const {
   const Between b = between(cursor_.moments, static_cast<FrameTime>(frame));
   const Eigen::Vector2d from = cursor_.at.col(static_cast<Eigen::Index>(b.from));
   const Eigen::Vector2d to = cursor_.at.col(static_cast<Eigen::Index>(b.to));
-  return keys_.weights(from + b.share * (to - from));
+  return from + b.share * (to - from);
+}
+
+Eigen::VectorXd PerformedPoses::weights(FrameNumber frame) const {
+  return keys_.weights(place(frame));
+}
+
+std::optional<std::size_t> PerformedPoses::pose_at(FrameNumber frame) const {
+  const double extent = (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).norm();
+  Eigen::Index nearest = 0;
+  const Eigen::Vector2d at = place(frame);
+  const double distance = (points_.colwise() - at).colwise().norm().minCoeff(&nearest);
+  if (distance > 1e-9 * extent) return {};  // moments of frames are rounded
+  return static_cast<std::size_t>(nearest);
 }
 
 std::vector<PerformedHandle> read_performance(const PerformanceOptions& options, double fps) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -92,10 +93,15 @@ class PerformedPoses {
   PerformedPoses(const SpatialScript& script, const Eigen::AlignedBox2d& page);
 
   Eigen::VectorXd weights(FrameNumber frame) const;
+  /// The pose to whose point the cursor has come in a frame, or nothing between the points.
+  std::optional<std::size_t> pose_at(FrameNumber frame) const;
   /// What a user should know: that the cursor leaves the canvas.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  Eigen::Vector2d place(FrameNumber frame) const;
+
+  Eigen::Matrix2Xd points_;
   CursorPath cursor_;
   SpatialKeys keys_;
   std::vector<std::string> notes_;

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "tests/support/animated_bar.h"
 
 namespace deformlab::test {
@@ -86,6 +88,24 @@ TEST_F(AnimatePerformance, ItIsTheSameAsItsKeyframes) {
                            b = read_flat(name("b-", frame, ".obj")).V;
     EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-9) << frame;
   }
+}
+
+TEST_F(AnimatePerformance, AConfigMeasuresPosesAndShowsASequence) {
+  std::string poses = kPoses.substr(kPoses.find("poses:"));
+  for (std::size_t at = poses.find("  - "); at != std::string::npos;
+       at = poses.find("  - ", at + 6))
+    poses.insert(at, "  ");
+  put("bar.yaml", "drawing: {file: bar.png, vertices: 60}\npicture: {width: 60}\n" +
+                      std::string(kHeld) + "animation:\n  fps: 4\n  " + poses +
+                      "  cursor: path.csv\n  pictured: 2\n  sequence: {every: 4, width: 60}\n");
+  expect_success({"run", "bar.yaml", "--out", "results"});
+  const auto m = nlohmann::json::parse(get("results/bar/metrics.json")).at("runs").at(0);
+  EXPECT_EQ(m.at("metrics").at("poses_met"), 3);
+  EXPECT_LT(m.at("metrics").at("pose_error").get<double>(), 1e-9);
+  EXPECT_EQ(m.at("metrics").at("frames"), 13);
+  EXPECT_TRUE(exists("results/bar/frames/0003.png") && !exists("results/bar/frames/0004.png"));
+  EXPECT_EQ(get("results/bar/movie.webp").substr(8, 4), "WEBP");
+  EXPECT_THAT(get("results/README.md"), HasSubstr("[all of them](bar/movie.webp)"));
 }
 
 /// One thing that `animate` must refuse of a performance, and what it must say.
