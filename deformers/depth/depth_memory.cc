@@ -3,19 +3,27 @@
 #include <algorithm>
 
 namespace deformlab {
+namespace {
+
+constexpr double kMixed = 0.05;  // the least share of the smaller part
+
+}  // namespace
 
 std::vector<DepthMemory::Recollection> DepthMemory::recall(const Overlaps& overlaps) const {
   std::vector<Recollection> result(overlaps.regions.size());
   std::vector<bool> gone(regions_, true);
   for (std::size_t r = 0; r < result.size(); ++r) {
+    double first = 0, second = 0;  // areas where each sheet was in front
     for (const TrianglePair& pair : overlaps.pairs_of(overlaps.regions[r])) {
       const int found = index_.find(pair.a, pair.b);
       if (found == PairTable::kNone) continue;
       const Seen& seen = seen_[found];
-      result[r].vote += seen.front == pair.a ? pair.area : -pair.area;
+      (seen.front == pair.a ? first : second) += pair.area;
       result[r].lasting = true;
       gone[seen.region] = false;
     }
+    result[r].vote = first - second;
+    result[r].mixed = std::min(first, second) > kMixed * (first + second);
   }
   const std::vector<int> side = sides_of_gone(gone);
   const auto side_of = [&](int t) { return t < triangles_ ? side[t] : 0; };
@@ -26,6 +34,12 @@ std::vector<DepthMemory::Recollection> DepthMemory::recall(const Overlaps& overl
     }
   }
   return result;
+}
+
+int DepthMemory::side(int a, int b) const {
+  const int found = index_.find(a, b);
+  if (found == PairTable::kNone) return 0;
+  return seen_[found].front == a ? 1 : -1;
 }
 
 // For each triangle +1 if it was mostly in front in regions that are gone, and −1 if it was mostly

@@ -17,6 +17,9 @@ class DepthMemory {
     /// [length²].
     double vote = 0;
     bool lasting = false;  ///< some of its pairs of triangles overlapped in the last update too
+    /// Its first sheet was in front in a part of these pairs and its second sheet in another one,
+    /// as where two regions have become one.
+    bool mixed = false;
   };
 
   /// What is remembered of each region. A region lasts if it shares pairs of triangles with the
@@ -24,6 +27,10 @@ class DepthMemory {
   /// region of its old pairs is gone. The triangles of a region that is gone therefore stay in
   /// front or behind in new regions.
   std::vector<Recollection> recall(const Overlaps& overlaps) const;
+
+  /// +1 if triangle a was in front of b in the last update, −1 if it was behind, and 0 if they did
+  /// not overlap.
+  int side(int a, int b) const;
 
   /// Replaces what is remembered. `a_in_front` has one entry for each pair of triangles: whether
   /// its first triangle is in front.

@@ -88,7 +88,11 @@ const Eigen::VectorXd& DepthOrder::update(const Eigen::Matrix2Xd& V) {
   overlaps_ = find_(V);
   report_ = {.regions = static_cast<int>(overlaps_.regions.size()), .found = overlaps_.complete};
   stack_.clear();
-  for (const Choice& choice : choices()) enter(choice);
+  const std::vector<Choice> all = choices();
+  for (const Choice& choice : all) {
+    if (choice.mixed) put_remembered(overlaps_.regions[choice.region]);
+  }
+  for (const Choice& choice : all) enter(choice);
   remember();
   if (overlaps_.complete) {
     spread(stack_.heights());
@@ -110,7 +114,7 @@ std::vector<DepthOrder::Choice> DepthOrder::choices() const {
         vote += pair.area * (order_[pair.a] - order_[pair.b]);
       }
     }
-    result.push_back({r, vote > 0, lasting});
+    result.push_back({r, vote > 0, lasting, recalled[r].mixed});
   }
   std::ranges::stable_sort(result, {}, [&](const Choice& c) {
     return std::tuple(!c.lasting, -overlaps_.regions[c.region].area);
@@ -121,7 +125,10 @@ std::vector<DepthOrder::Choice> DepthOrder::choices() const {
 void DepthOrder::enter(const Choice& choice) {
   const OverlapRegion& region = overlaps_.regions[choice.region];
   report_.twisted += region.twisted;
-  if (put_all(region, choice.a_in_front)) {
+  if (choice.mixed) {
+    put_by_neighbours(region, choice.a_in_front);
+    ++report_.cyclic;
+  } else if (put_all(region, choice.a_in_front)) {
     report_.lasting += choice.lasting;
   } else if (put_all(region, !choice.a_in_front)) {
     report_.turned += choice.lasting;
@@ -131,11 +138,14 @@ void DepthOrder::enter(const Choice& choice) {
   }
 }
 
+bool DepthOrder::put(const TrianglePair& pair, bool a_in_front) {
+  return a_in_front ? stack_.put(pair.b, pair.a) : stack_.put(pair.a, pair.b);
+}
+
 bool DepthOrder::put_all(const OverlapRegion& region, bool a_in_front) {
   const std::size_t before = stack_.constraints();
   for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
-    const auto [back, front] = a_in_front ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);
-    if (stack_.put(back, front)) continue;
+    if (put(pair, a_in_front)) continue;
     stack_.take_back_to(before);
     return false;
   }
@@ -145,9 +155,56 @@ bool DepthOrder::put_all(const OverlapRegion& region, bool a_in_front) {
 // A pair that would close a cycle is put the other way, which the stack already implies.
 void DepthOrder::put_each(const OverlapRegion& region, bool a_in_front) {
   for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
-    const auto [back, front] = a_in_front ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);
-    if (!stack_.put(back, front)) stack_.put(front, back);
+    if (!put(pair, a_in_front)) put(pair, !a_in_front);
   }
+}
+
+// The order of the last update has no cycle, so that all remembered pairs fit together.
+void DepthOrder::put_remembered(const OverlapRegion& region) {
+  for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
+    const int side = memory_.side(pair.a, pair.b);
+    if (side != 0) put(pair, side > 0);
+  }
+}
+
+void DepthOrder::put_by_neighbours(const OverlapRegion& region, bool a_in_front) {
+  const std::vector<int> sides = sides_by_neighbours(region);
+  std::size_t i = 0;
+  for (const TrianglePair& pair : overlaps_.pairs_of(region)) {
+    const bool front = sides[i] == 0 ? a_in_front : sides[i] > 0;
+    if (!put(pair, front)) put(pair, !front);
+    ++i;
+  }
+}
+
+// For each pair +1 if its first triangle is to be in front, else −1. Remembered pairs keep their
+// order, and all others take that of the nearest one, ring by ring; 0 where there is none.
+std::vector<int> DepthOrder::sides_by_neighbours(const OverlapRegion& region) const {
+  const auto pairs = overlaps_.pairs_of(region);
+  std::vector<int> sides(pairs.size(), 0), ring;
+  PairTable index;
+  for (int i = 0; i < std::ssize(pairs); ++i) {
+    index.enter(pairs[i].a, pairs[i].b, i);
+    sides[i] = memory_.side(pairs[i].a, pairs[i].b);
+    if (sides[i] != 0) ring.push_back(i);
+  }
+  const auto reach = [&](int a, int b, int side) {
+    const int i = index.find(a, b);
+    if (i == PairTable::kNone || sides[i] != 0) return;
+    sides[i] = pairs[i].a == a ? side : -side;
+    ring.push_back(i);
+  };
+  for (std::size_t next = 0; next < ring.size(); ++next) {
+    const auto& [a, b, area] = pairs[ring[next]];
+    const int side = sides[ring[next]];
+    for (const int n : find_.neighbours().col(a)) {
+      if (n >= 0) reach(n, b, side);
+    }
+    for (const int n : find_.neighbours().col(b)) {
+      if (n >= 0) reach(a, n, side);
+    }
+  }
+  return sides;
 }
 
 void DepthOrder::remember() {

@@ -11,10 +11,12 @@ namespace deformlab {
 
 /// The numbers of regions of overlap in an update of the depths.
 struct DepthReport {
-  int regions = 0;    ///< all regions
-  int lasting = 0;    ///< the same sheet is in front as in the last update
-  int turned = 0;     ///< the other sheet is in front, because other regions left no other order
-  int cyclic = 0;     ///< no sheet is wholly in front, because either choice closes a cycle
+  int regions = 0;  ///< all regions
+  int lasting = 0;  ///< the same sheet is in front as in the last update
+  int turned = 0;   ///< the other sheet is in front, because other regions left no other order
+  /// No sheet is wholly in front, because either choice closes a cycle, or because regions in which
+  /// the one and the other sheet was in front have become one.
+  int cyclic = 0;
   int twisted = 0;    ///< a walk through the region exchanges the two sheets (OverlapRegion)
   bool found = true;  ///< false where there are too many pairs of triangles (OverlapFinder)
 };
@@ -33,7 +35,9 @@ Eigen::VectorXd distance_from_middle(const Triangulation& rest);
 /// are entered into one stack, lasting ones before new ones and large ones before small ones. Where
 /// earlier regions leave only one choice (of three sheets, or of triangles that belong to several
 /// regions), a region takes it. Where they leave none, each pair of triangles takes the choice that
-/// is left to it, and the region is counted as cyclic.
+/// is left to it, and the region is counted as cyclic. Regions may become one, as where two arms
+/// that are in front of a body meet at a fold. What was in front in a part of such a region then
+/// stays there, and each new pair follows its neighbours.
 class DepthOrder {
  public:
   /// `order` is the predefined order (#V, higher is nearer). Throws InputError where it has another
@@ -57,13 +61,17 @@ class DepthOrder {
  private:
   struct Choice {
     int region;
-    bool a_in_front, lasting;
+    bool a_in_front, lasting, mixed;
   };
 
   std::vector<Choice> choices() const;
   void enter(const Choice& choice);
   bool put_all(const OverlapRegion& region, bool a_in_front);
   void put_each(const OverlapRegion& region, bool a_in_front);
+  bool put(const TrianglePair& pair, bool a_in_front);
+  void put_remembered(const OverlapRegion& region);
+  void put_by_neighbours(const OverlapRegion& region, bool a_in_front);
+  std::vector<int> sides_by_neighbours(const OverlapRegion& region) const;
   void remember();
   void spread(const std::vector<int>& heights);
 

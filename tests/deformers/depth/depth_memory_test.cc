@@ -42,6 +42,26 @@ TEST(DepthMemory, VotesByTheAreaOfPairsThatLast) {
   EXPECT_EQ(recalled[1].vote, 0);
 }
 
+TEST(DepthMemory, TellsWhereRegionsOfBothOrdersHaveBecomeOne) {
+  DepthMemory memory;
+  memory.keep(overlaps({{{1, 2, 5}}, {{3, 4, 7}}}), {true, false});
+  const auto recalled = memory.recall(overlaps({{{1, 2, 5}, {1, 4, 1}, {3, 4, 7}}, {{8, 9, 1}}}));
+  EXPECT_TRUE(recalled[0].mixed);
+  EXPECT_EQ(recalled[0].vote, 5 - 7);
+  EXPECT_FALSE(recalled[1].mixed);
+  EXPECT_EQ(memory.side(1, 2), 1);
+  EXPECT_EQ(memory.side(2, 1), -1);
+  EXPECT_EQ(memory.side(3, 4), -1);
+  EXPECT_EQ(memory.side(1, 4), 0);
+}
+
+TEST(DepthMemory, ASmallPartOfAnotherOrderIsOutvoted) {
+  DepthMemory memory;
+  memory.keep(overlaps({{{1, 2, 5}}, {{3, 4, 100}}}), {true, false});
+  EXPECT_FALSE(memory.recall(overlaps({{{1, 2, 5}, {3, 4, 100}}}))[0].mixed);
+  EXPECT_TRUE(memory.recall(overlaps({{{1, 2, 5}, {3, 4, 10}}}))[0].mixed);
+}
+
 TEST(DepthMemory, PassesOnWhatWasInFrontInARegionThatIsGone) {
   DepthMemory memory;
   memory.keep(overlaps({{{1, 2, 5}}, {{3, 4, 5}}}), {true, true});

@@ -133,6 +133,31 @@ TEST_F(AnimateDrawing, MeasuresAndPicturesAllFrames) {
   EXPECT_EQ(get("p.png").substr(1, 3), "PNG");
 }
 
+// The arms fold over the body. Where they meet, their overlaps become one region.
+TEST_F(AnimateDrawing, ArmsThatCrossStayInFrontOfTheBody) {
+  const std::string right = "{select: {point: [350, 193]}, by: ",
+                    left = "{select: {point: [50, 193]}, by: ",
+                    head = "{select: {point: [200, 80]}, by: ";
+  put("arms.yaml",
+      "interpolation: spline\nedit:\n  - {select: {point: [120, 440]}, fix: true}\n"
+      "  - {select: {point: [280, 440]}, fix: true}\nkeyframes:\n"
+      "  - {frame: 0, edit: [" +
+          right + "[0, 0]}, " + left + "[0, 0]}, " + head +
+          "[0, 0]}]}\n"
+          "  - {frame: 12, edit: [" +
+          right + "[-160, 60]}, " + head +
+          "[20, 0]}]}\n"
+          "  - {frame: 24, edit: [" +
+          right + "[20, -150]}, " + left +
+          "[180, 40]}]}\n"
+          "  - {frame: 36, edit: [" +
+          right + "[0, 0]}, " + left + "[0, 0]}, " + head + "[0, 0]}]}\n");
+  expect_success({"animate", DEFORMLAB_SOURCE_DIR "/configs/drawings/gingerbread.svg", "--edit",
+                  "arms.yaml", "--out", "a-%02d.obj", "--vertices", "200", "--metrics", "m.json"});
+  const int jumps = nlohmann::json::parse(get("m.json")).at("depth_jumps");
+  EXPECT_LT(jumps, 60) << "one vote for each region changed 125 pairs, among them those of an arm";
+}
+
 TEST_F(AnimateDrawing, AnotherMethodPosesItToo) {
   expect_success(words("o-%02d.obj", {"deformer=embedded_deformation"}));
   EXPECT_NEAR(way_of_the_end(4), 20, 1.5);
