@@ -11,7 +11,7 @@
 namespace deformlab {
 namespace {
 
-constexpr FrameNumber kMostFrames = 100'000;
+constexpr FrameNumber kMostFrames = 100'000, kLastFrame = 1'000'000'000;
 
 // The moment of a keyframe, as the file gives it.
 std::string moment_text(const KeyframeOptions& o) {
@@ -129,6 +129,10 @@ FrameRange range_between(const Moment& first, const Moment& last) {
   if (first.at < 0) {
     throw InputError(fmt::format("{} is of frame {}; the frames of a drawing are counted from 0",
                                  first.where, text_of(first.at)));
+  }
+  if (last.at > kLastFrame) {
+    throw InputError(fmt::format("{} is of frame {}; a frame's number is at most {}", last.where,
+                                 text_of(last.at), kLastFrame));
   }
   if (last.at - first.at > kMostFrames) {
     throw InputError(fmt::format("{} is of frame {}, which is more than {} frames after {}",

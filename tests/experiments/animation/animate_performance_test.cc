@@ -182,6 +182,8 @@ INSTANTIATE_TEST_SUITE_P(
                  {"line 3 of", "time is 0.5, but 1"}),
         bad_path("EqualTimes", "time,x,y\n1,1,2\n1,2,3\n", {"line 3 of", "time is 1, but 1"}),
         bad_path("TimesBelowZero", "time,x,y\n-1,1,2\n1,2,3\n", {"line 2 of", "frame -4"}),
+        bad_path("TimesBeyondAllFrames", "time,x,y\n1e30,1,2\n1.0000000001e30,2,3\n",
+                 {"line 3 of", "at most 1000000000"}),
         bad_path("NoFrameBetween", "time,x,y\n0.1,1,2\n0.2,2,3\n", {"no frame lies between"}),
         bad_moves("AnUnknownHandle", kMoves + "2,rigth,1,2\n",
                   {"line 7 of", "unknown handle 'rigth'", "did you mean 'right'"}),
