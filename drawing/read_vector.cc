@@ -18,6 +18,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void close(Outlines& outlines) {
+  for (Curve& curve : outlines.curves) curve = closed(std::move(curve));
+}
+
+/// Whether the points lie on a line, so that nothing is inside.
+bool is_flat(const Curve& curve) {
+  const Eigen::Matrix2Xd from_start = curve.points.colwise() - curve.points.col(0);
+  Eigen::Index far = 0;
+  const double most = from_start.colwise().squaredNorm().maxCoeff(&far);
+  const Eigen::Vector2d normal(-from_start(1, far), from_start(0, far));
+  return (normal.transpose() * from_start).cwiseAbs().maxCoeff() <= 1e-9 * most;
+}
+
+/// The paths with closed outlines where they are filled or clip, so that the line that closes them
+/// bends, too. A stroke does not follow this line: it becomes a path of its own. A fill without
+/// area, such as that of a stroked line, is left out.
+std::vector<VectorPath> with_closed_fills(std::vector<VectorPath> paths) {
+  std::vector<VectorPath> result;
+  for (VectorPath& path : paths) {
+    std::ranges::for_each(path.clips, close);
+    const std::vector<Curve>& curves = path.outlines.curves;
+    if (std::ranges::all_of(curves, is_flat)) path.fill = {};
+    if (is_filled(path) && !std::ranges::all_of(curves, &Curve::closed)) {
+      VectorPath fill = path;
+      fill.stroke = {};
+      close(fill.outlines);
+      result.push_back(std::move(fill));
+      path.fill = {};
+    }
+    if (is_filled(path) || is_stroked(path)) result.push_back(std::move(path));
+  }
+  return result;
+}
+
 void cut_pieces(std::vector<Curve>& curves, double longest) {
   for (Curve& curve : curves) curve = cut(curve, longest);
 }
@@ -96,7 +130,7 @@ Drawing read_vector_drawing(const fs::path& path, const DrawingOptions& options,
   drawing.page = {Eigen::Vector2d(0, 0), Eigen::Vector2d(svg.width, svg.height)};
   drawing.notes = std::move(svg.notes);
   drawing.not_curves = std::move(svg.not_curves);
-  drawing.paths = cut_along(svg.paths, cuts, drawing.page);
+  drawing.paths = cut_along(with_closed_fills(std::move(svg.paths)), cuts, drawing.page);
   if (drawing.paths.empty() && drawing.not_curves.empty())
     cannot_read(path, "it paints nothing on its page");
   const double longest = options.piece * drawing.page.diagonal().norm();

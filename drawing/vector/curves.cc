@@ -62,6 +62,18 @@ Curve polygon(const Eigen::Matrix2Xd& corners, bool closed) {
   return curve;
 }
 
+Curve closed(Curve curve) {
+  const Eigen::Index end = curve.points.cols() - 1;
+  if (curve.closed || end == 0) return curve;
+  const Eigen::Vector2d a = curve.points.col(end), b = curve.points.col(0);
+  curve.closed = true;
+  if (a == b) return curve;
+  curve.points.conservativeResize(2, end + 4);
+  for (int k = 1; k < 3; ++k) curve.points.col(end + k) = a + (b - a) * (k / 3.0);
+  curve.points.col(end + 3) = b;
+  return curve;
+}
+
 Curve cut(const Curve& curve, double longest) {
   std::vector<Cubic> pieces;
   for (Eigen::Index i = 0; i + 3 < curve.points.cols(); i += 3) {

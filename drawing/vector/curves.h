@@ -8,6 +8,9 @@ namespace deformlab {
 /// to its first corner.
 Curve polygon(const Eigen::Matrix2Xd& corners, bool closed = true);
 
+/// The curve with a straight cubic from its end to its beginning, unless it is closed.
+Curve closed(Curve curve);
+
 /// A cubic Bézier curve by its control points.
 using Cubic = Eigen::Matrix<double, 2, 4>;
 

@@ -94,11 +94,6 @@ bool same(const Outlines& a, const Outlines& b) {
                     });
 }
 
-bool is_filled(const VectorPath& path) { return path.fill.kind != Paint::Kind::kNone; }
-bool is_stroked(const VectorPath& path) {
-  return path.stroke.kind != Paint::Kind::kNone && path.stroke_width > 0;
-}
-
 /// The paths with their fills cut by their clips, because what a clip hides may be so far from the
 /// mesh that the deformation would move it into view. Strokes keep their clips.
 std::vector<VectorPath> with_cut_fills(const std::vector<VectorPath>& paths, double scale) {

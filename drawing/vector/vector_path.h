@@ -51,4 +51,9 @@ struct VectorPath {
   std::vector<Outlines> clips;  ///< only what is inside all of these is painted
 };
 
+inline bool is_filled(const VectorPath& path) { return path.fill.kind != Paint::Kind::kNone; }
+inline bool is_stroked(const VectorPath& path) {
+  return path.stroke.kind != Paint::Kind::kNone && path.stroke_width > 0;
+}
+
 }  // namespace deformlab

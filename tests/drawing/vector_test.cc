@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "drawing/bound_drawing.h"
+#include "drawing/write_drawing.h"
+#include "tests/support/drawings.h"
+
+// How vector drawings are read, and the pages and sizes of their pictures.
+namespace deformlab::test {
+namespace {
+
+class VectorDrawings : public FolderTest {
+ protected:
+  Drawing read(const std::string& body, const std::string& size = "width='120' height='80'") const {
+    return read_drawing(
+        put("in.svg", "<svg xmlns='http://www.w3.org/2000/svg' " + size + ">" + body + "</svg>"),
+        {});
+  }
+};
+
+/// Whether the curve ends where it begins.
+bool returns(const Curve& curve) {
+  return curve.points.leftCols<1>() == curve.points.rightCols<1>();
+}
+
+TEST_F(VectorDrawings, ClosingLinesOfFillsAreCurves) {
+  const std::string bar = "<rect x='10' y='25' width='100' height='30'/>";
+  const Drawing fill = read(bar + "<path d='M 20 30 L 100 40 L 30 50' fill='#fff'/>");
+  ASSERT_EQ(fill.paths.size(), 2u);
+  const Curve& triangle = fill.paths[1].outlines.curves.at(0);
+  EXPECT_TRUE(triangle.closed);
+  EXPECT_TRUE(returns(triangle));
+  EXPECT_GE((triangle.points.rightCols<1>() - triangle.points.rightCols<4>().col(0)).norm(), 1)
+      << "the closing line has control points of its own";
+}
+
+TEST_F(VectorDrawings, AStrokeDoesNotFollowTheClosingLineOfItsFill) {
+  const Drawing drawing =
+      read("<path d='M 20 30 L 100 40 L 30 50 M 50 60 h 9 v 9 z' fill='#fff' stroke='#000'/>");
+  ASSERT_EQ(drawing.paths.size(), 2u);
+  const VectorPath &fill = drawing.paths[0], &stroke = drawing.paths[1];
+  EXPECT_EQ(fill.number, stroke.number);
+  EXPECT_EQ(fill.stroke.kind, Paint::Kind::kNone);
+  EXPECT_EQ(stroke.fill.kind, Paint::Kind::kNone);
+  EXPECT_TRUE(fill.outlines.curves.at(0).closed);
+  EXPECT_FALSE(stroke.outlines.curves.at(0).closed);
+  EXPECT_FALSE(returns(stroke.outlines.curves[0]));
+  EXPECT_TRUE(stroke.outlines.curves.at(1).closed);
+  const Drawing line = read("<path d='M 20 30 L 100 40 L 30 50' fill='none' stroke='#000'/>");
+  ASSERT_EQ(line.paths.size(), 1u);
+  EXPECT_FALSE(line.paths[0].outlines.curves.at(0).closed);
+}
+
+TEST_F(VectorDrawings, AFillWithoutAreaIsLeftOut) {
+  // A line is filled with black unless it says otherwise. Bent, it would enclose something.
+  const Drawing drawing = read("<path d='M 20 30 L 100 40 L 60 35' stroke='#f00'/>");
+  ASSERT_EQ(drawing.paths.size(), 1u);
+  EXPECT_FALSE(is_filled(drawing.paths[0]));
+}
+
+TEST_F(VectorDrawings, ClosingLinesOfClipsAreCurves) {
+  const Drawing drawing = read(
+      "<clipPath id='c'><path d='M 20 30 L 100 40 L 30 50'/></clipPath>"
+      "<rect x='10' y='25' width='100' height='30' clip-path='url(#c)'/>");
+  ASSERT_EQ(drawing.paths.size(), 1u);
+  ASSERT_FALSE(drawing.paths[0].clips.empty());
+  for (const Outlines& clip : drawing.paths[0].clips)
+    EXPECT_TRUE(std::ranges::all_of(clip.curves, returns));
+}
+
+}  // namespace
+}  // namespace deformlab::test
