@@ -34,7 +34,8 @@ BoundDrawing::BoundDrawing(Drawing drawing, Triangulation rest, std::vector<Tria
     : drawing_(std::move(drawing)),
       rest_(std::move(rest)),
       parts_(rest_, std::move(parts)),
-      paths_(drawing_.paths, parts_.all(), Locator(parts_.all()), drawing_.cuts) {
+      shown_(without_hidden(drawing_.paths, drawing_.page.diagonal().norm()), parts_.all(),
+             Locator(parts_.all()), drawing_.cuts) {
   if (drawing_.bitmap)
     texture_.emplace(*drawing_.bitmap, in_pixels(parts_.all(), drawing_.page, 1));
 }
@@ -53,7 +54,7 @@ Bitmap BoundDrawing::picture(const Eigen::Matrix2Xd& V, const Eigen::VectorXd& d
   const std::string problem = size_problem(size.x(), size.y());
   if (!problem.empty()) throw InputError(fmt::format("cannot draw a page of {}", problem));
   if (!texture_ && drawing_.svg.empty() && depth.size() == 0) {
-    return rasterized(paths_(parts_(V)), page, resolution);
+    return rasterized(shown_(parts_(V)), page, resolution);
   }
   const double texels = texture_ ? 1 : resolution;  // for each unit of length
   const Eigen::Matrix2Xd at = (parts_(V).colwise() - drawing_.page.min()) * texels;
@@ -85,11 +86,11 @@ Page BoundDrawing::page_for(const Eigen::Matrix2Xd& V, double step) const {
   const Eigen::Matrix2Xd moved_mesh = parts_(V);
   extend(parts_.all().V, moved_mesh, page, reach);
   double beyond = 1;  // strokes and pixels extend beyond control points by this number of steps
-  const std::vector<VectorPath> moved = paths_(moved_mesh);
+  const std::vector<VectorPath> moved = shown_(moved_mesh);
   for (std::size_t i = 0; i < moved.size(); ++i) {
     beyond = std::max(beyond, 1 + moved[i].stroke_width / step / 2);
     for (std::size_t c = 0; c < moved[i].outlines.curves.size(); ++c)
-      extend(drawing_.paths[i].outlines.curves[c].points, moved[i].outlines.curves[c].points, page,
+      extend(shown_.rest()[i].outlines.curves[c].points, moved[i].outlines.curves[c].points, page,
              reach);
   }
   if (texture_)

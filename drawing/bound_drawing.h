@@ -42,7 +42,7 @@ class BoundDrawing {
   Drawing drawing_;
   Triangulation rest_;
   FollowingParts parts_;
-  BoundPaths paths_;  ///< and texture_: follow the mesh and the meshes of the detached parts
+  BoundPaths shown_;  ///< without what clips hide. It and texture_ follow the mesh and the parts
   std::optional<TextureMap> texture_;
 };
 

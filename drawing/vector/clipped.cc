@@ -202,6 +202,13 @@ Outlines Clipped::inside(const Outlines& outlines) const {
   return common(flattened, outlines, region_, ClipperLib::pftNonZero, nothing_);
 }
 
+Clipped region_of(const Outlines& outlines, double scale) {
+  Flattened flattened(scale);
+  ClipperLib::Paths region;
+  ClipperLib::SimplifyPolygons(polygons(flattened, outlines), region, rule_of(outlines));
+  return {std::move(region), scale};
+}
+
 Outlines common(const Outlines& outlines, const Outlines& clip, double scale) {
   Flattened flattened(scale);
   const ClipperLib::Paths region = polygons(flattened, clip);

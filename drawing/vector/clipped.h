@@ -30,6 +30,9 @@ class Clipped {
   double scale_, nothing_;
 };
 
+/// What lies inside of an outline.
+Clipped region_of(const Outlines& outlines, double scale);
+
 /// What lies inside of both outlines. It is the first one itself if it lies in the second one.
 Outlines common(const Outlines& outlines, const Outlines& clip, double scale);
 

@@ -114,6 +114,15 @@ std::vector<VectorPath> with_cut_fills(const std::vector<VectorPath>& paths, dou
   return result;
 }
 
+/// The parts of the curves that lie inside of the clip.
+std::vector<Curve> inside(const std::vector<Curve>& curves, const Outlines& clip, double scale) {
+  const Clipped region = region_of(clip, scale);
+  std::vector<Curve> result;
+  for (const Curve& curve : curves)
+    for (Clipped::Piece& piece : region.along(curve)) result.push_back(std::move(piece.curve));
+  return result;
+}
+
 /// Whether the strokes are those of the whole path.
 bool all_strokes(const std::vector<VectorPath>& strokes, const VectorPath& path) {
   if (strokes.size() != path.outlines.curves.size()) return false;
@@ -143,6 +152,17 @@ void add_parts(const VectorPath& path, const Clipped& region, std::vector<Vector
 
 std::size_t layers_of(const Eigen::VectorXd& depth) {
   return std::set<double>(depth.begin(), depth.end()).size();
+}
+
+std::vector<VectorPath> without_hidden(const std::vector<VectorPath>& paths, double diagonal) {
+  const double scale = kUnits / diagonal;
+  std::vector<VectorPath> result = with_cut_fills(paths, scale);
+  for (VectorPath& path : result) {
+    for (const Outlines& clip : path.clips)
+      path.outlines.curves = inside(path.outlines.curves, clip, scale);
+    path.clips.clear();
+  }
+  return result;
 }
 
 std::vector<VectorPath> in_layers(const std::vector<VectorPath>& paths, const Triangulation& rest,

@@ -12,6 +12,10 @@ inline constexpr std::size_t kMostLayers = 64;
 /// The number of different depths (#F).
 std::size_t layers_of(const Eigen::VectorXd& depth);
 
+/// The paths without clips, and without the fills and the middle lines of strokes that lie outside
+/// of these. `diagonal` is that of the drawing [length].
+std::vector<VectorPath> without_hidden(const std::vector<VectorPath>& paths, double diagonal);
+
 /// Cuts paths at rest so that they can be painted one after the other where the deformed drawing
 /// overlaps itself. The triangles of one depth (#F) are a layer, which does not overlap itself. The
 /// result has the paths of the farthest layer first, and those of one layer in their own order. A

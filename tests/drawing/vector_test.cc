@@ -67,5 +67,28 @@ TEST_F(VectorDrawings, ClosingLinesOfClipsAreCurves) {
     EXPECT_TRUE(std::ranges::all_of(clip.curves, returns));
 }
 
+TEST_F(VectorDrawings, APageDoesNotGrowForWhatAClipHides) {
+  // The bar turns about its middle, and with it the corners of the page, which the clip hides.
+  for (const std::string what :
+       {"<rect width='120' height='80'/>",
+        "<path d='M 0 0 L 120 80' stroke='#000' stroke-width='40'/>",
+        "<g clip-path='url(#d)'><rect width='120' height='80' stroke='#00f'/></g>"}) {
+    const Drawing drawing = read(
+        "<clipPath id='c'><rect x='30' y='30' width='60' height='20'/></clipPath>"
+        "<clipPath id='d'><circle cx='60' cy='40' r='39'/></clipPath>"
+        "<g clip-path='url(#c)'>" +
+        what + "</g>");
+    const Triangulation rest = grid_mesh(4, {30, 30}, {90, 50});
+    const Eigen::Vector2d middle(60, 40);
+    const Eigen::Matrix2Xd V =
+        (Eigen::Rotation2Dd(0.5).toRotationMatrix() * (rest.V.colwise() - middle)).colwise() +
+        middle;
+    const Page page = BoundDrawing(drawing, rest).page_for(V, 1);
+    EXPECT_TRUE(page.isApprox(drawing.page)) << what << page.min() << page.max();
+    const Eigen::Matrix2Xd moved = rest.V.colwise() + Eigen::Vector2d(40, 0);
+    EXPECT_GT(BoundDrawing(drawing, rest).page_for(moved, 1).max().x(), 125) << what;
+  }
+}
+
 }  // namespace
 }  // namespace deformlab::test
