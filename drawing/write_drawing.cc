@@ -16,13 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kMostAcross = 4000;  // of a PNG of an SVG, if its size is not asked for [pixel]
+
 double resolution_for(const Drawing& drawing, double asked) {
-  constexpr double kLeast = 200, kMost = 4000, kAcross = 1000;  // [pixel]
+  constexpr double kAcross = 1000;  // [pixel]
   if (asked > 0) return asked;
   const double longer = drawing.page.sizes().maxCoeff();
-  const bool has_pixels = drawing.bitmap || extension_of(drawing.file) == ".svg";
-  return has_pixels && (drawing.bitmap || (longer >= kLeast && longer <= kMost)) ? 1
-                                                                                 : kAcross / longer;
+  if (drawing.bitmap) return 1;
+  return drawing.svg.empty() ? kAcross / longer : std::min(1.0, kMostAcross / longer);
 }
 
 /// The mesh with its positions at rest as texture coordinates, which OBJ measures from the lower
@@ -138,6 +139,11 @@ std::vector<std::string> write_drawing(const fs::path& out, const BoundDrawing& 
   std::vector<std::string> notes;
   if (!options.page.fixed(drawing.drawing())) notes = growth(drawing.drawing().page, page);
   if (extension == ".png") {
+    if (options.resolution == 0 && resolution_of(drawing.drawing(), options) < 1)
+      notes.push_back(fmt::format(
+          "the page of the SVG is larger than {:g} pixels, and the PNG is made smaller; "
+          "output.resolution=1 gives it the size of the page",
+          kMostAcross));
     write_png(picture_of(out, drawing, V, depth, page, options), out, drawing.drawing().chunks,
               resolution_of(drawing.drawing(), options));
   } else {

@@ -29,8 +29,9 @@ struct OutputPage {
 
 /// How a deformed drawing is written.
 struct DrawingOutputOptions {
-  /// Resolution of a PNG [pixel/length]. 0 keeps the pixels of the drawing. Polygons, meshes, and
-  /// vector drawings of less than 200 or more than 4,000 pixels get 1,000 along the longer side.
+  /// Resolution of a PNG [pixel/length]. 0 keeps the pixels of an image or of an SVG's page, of
+  /// which it gets 4,000 at most along the longer side. Polygons and meshes, which have none, get
+  /// 1,000.
   double resolution = 0;
   OutputPage page;
   /// Whether the results of arap_2d's steps are written beside OUT: the mesh of step one as
@@ -40,9 +41,12 @@ struct DrawingOutputOptions {
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
-    visit.range("resolution", o.resolution, {.min = 0, .max = 1e6},
-                "The resolution of a PNG in pixels for each unit of length; 0 keeps that of the "
-                "drawing [pixel/length]");
+    visit.range(
+        "resolution", o.resolution, {.min = 0, .max = 1e6},
+        "The resolution of a PNG in pixels for each unit of length; 0 keeps that of an image "
+        "or an SVG, with at most 4000 pixels along the longer side of an SVG, and gives polygons "
+        "and "
+        "meshes 1000 [pixel/length]");
     visit("page", o.page,
           "The page of a PNG or an SVG, and of the panels of a picture: that of the drawing, which "
           "grows where the shape leaves it (grow); always that of the drawing, so that what leaves "

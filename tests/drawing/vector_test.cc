@@ -90,5 +90,21 @@ TEST_F(VectorDrawings, APageDoesNotGrowForWhatAClipHides) {
   }
 }
 
+TEST_F(VectorDrawings, APngHasTheSizeOfThePage) {
+  const std::string bar = "<rect x='20%' y='20%' width='60%' height='60%'/>";
+  for (const int width : {16, 48, 199, 200, 640, 4000}) {
+    const std::string size = std::to_string(width);
+    const Drawing drawing = read(bar, "width='" + size + "' height='" + size + "'");
+    EXPECT_EQ(resolution_of(drawing, {}), 1) << width;
+  }
+  const Drawing large = read(bar, "width='8000' height='2000'");
+  EXPECT_EQ(resolution_of(large, {}), 0.5);
+  const Triangulation rest = grid_mesh(4, {1600, 400}, {6400, 1600});
+  const auto notes = write_drawing(place("out.png"), BoundDrawing(large, rest), rest.V, {},
+                                   DrawingOutputOptions());
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("output.resolution=1"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace deformlab::test
