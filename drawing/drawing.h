@@ -20,6 +20,20 @@ namespace deformlab {
 /// The rectangle that a drawing's file or a picture shows [length].
 using Page = Eigen::AlignedBox2d;
 
+/// Which pixels of a picture are not wholly transparent.
+class ShownPixels {
+ public:
+  ShownPixels() = default;
+  /// `resolution` is that of the picture [pixel/length].
+  ShownPixels(const Bitmap& picture, double resolution);
+  /// Whether the point lies on such a pixel [length].
+  bool operator()(const Eigen::Vector2d& point) const;
+
+ private:
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> shown_;  ///< height × width
+  double resolution_ = 1;
+};
+
 /// A drawing at rest. Its coordinates are those of its file, with x to the right and y down. The
 /// unit of a bitmap or vector drawing is a pixel, and the first pixel covers [0, 1] × [0, 1].
 struct Drawing {
@@ -28,6 +42,7 @@ struct Drawing {
   std::optional<Bitmap> bitmap;         ///< the pixels of the page, if the file is a bitmap
   std::string chunks;                   ///< of a PNG, which its pictures keep (kept_chunks)
   std::string svg;                      ///< the bytes of an SVG whose picture is shown
+  ShownPixels shown;                    ///< what that picture shows of its parts
   bool shows_more = false;              ///< whether the SVG shows detached parts that are left out
   CutLines cuts;                        ///< along which it has been cut
   std::vector<VectorPath> paths;        ///< in the order in which they are painted

@@ -151,13 +151,24 @@ Drawing read_drawing(const fs::path& path, const DrawingOptions& options, const 
   return drawing;
 }
 
+ShownPixels::ShownPixels(const Bitmap& picture, double resolution)
+    : shown_(alpha_of(picture) > 0), resolution_(resolution) {}
+
+bool ShownPixels::operator()(const Eigen::Vector2d& point) const {
+  const Eigen::Array2d pixel = (point.array() * resolution_).floor();
+  if ((pixel < 0).any() || pixel.x() >= double(shown_.cols()) || pixel.y() >= double(shown_.rows()))
+    return false;
+  return shown_(static_cast<Eigen::Index>(pixel.y()), static_cast<Eigen::Index>(pixel.x()));
+}
+
 bool shows(const Drawing& drawing, const Eigen::Vector2d& point) {
   if (contains(drawing.region, point)) return true;
   if (std::ranges::any_of(drawing.detached,
                           [&](const Region& part) { return contains(part, point); })) {
     return true;
   }
-  if (!drawing.bitmap || !drawing.page.contains(point)) return false;
+  if (!drawing.bitmap) return drawing.shown(point);
+  if (!drawing.page.contains(point)) return false;
   const int x = std::min(static_cast<int>(point.x()), drawing.bitmap->width - 1);
   const int y = std::min(static_cast<int>(point.y()), drawing.bitmap->height - 1);
   return drawing.bitmap->pixel(x, y)[3] > 0;

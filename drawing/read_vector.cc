@@ -109,13 +109,14 @@ void divide(Region& region, double by) {
 void trace_paths(const fs::path& path, const DrawingOptions& options, const CutLines& cuts,
                  Drawing& drawing) {
   const double resolution = options.outline / drawing.page.sizes().maxCoeff();
-  const Bitmap painted = drawing.not_curves.empty()
-                             ? rasterized(drawing.paths, drawing.page, resolution)
-                             : svg_picture(drawing.svg, path, resolution);
+  Bitmap painted = drawing.not_curves.empty() ? rasterized(drawing.paths, drawing.page, resolution)
+                                              : svg_picture(drawing.svg, path, resolution);
   if (find_parts(alpha_of(painted), resolution, false, path, options, cuts, drawing)) {
     keep_paths(RegionMask(drawing.region, painted), resolution, drawing);
     drawing.shows_more = true;
+    clear_outside(drawing.region, options.trace.threshold, painted);
   }
+  drawing.shown = ShownPixels(painted, resolution);
   divide(drawing.region, resolution);
   for (Region& part : drawing.detached) divide(part, resolution);
 }

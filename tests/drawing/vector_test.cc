@@ -106,5 +106,16 @@ TEST_F(VectorDrawings, APngHasTheSizeOfThePage) {
   EXPECT_NE(notes[0].find("output.resolution=1"), std::string::npos);
 }
 
+TEST_F(VectorDrawings, FaintPixelsBelongToTheDrawing) {
+  const Drawing drawing = read(
+      "<rect x='10' y='25' width='60' height='30'/>"
+      "<rect x='70' y='25' width='40' height='30' fill-opacity='0.3'/>");
+  EXPECT_TRUE(shows(drawing, {40, 40}));
+  EXPECT_TRUE(shows(drawing, {100, 40}));
+  for (const Eigen::Vector2d& beside : {Eigen::Vector2d(100, 60), Eigen::Vector2d(-1, 40),
+                                        Eigen::Vector2d(130, 40), Eigen::Vector2d(40, 90)})
+    EXPECT_FALSE(shows(drawing, beside)) << beside.transpose();
+}
+
 }  // namespace
 }  // namespace deformlab::test
