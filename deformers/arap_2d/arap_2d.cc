@@ -119,6 +119,8 @@ Report Arap2d::update(const Eigen::Matrix3Xd& targets) {
   measure_handles(reached, targets, report);
   report.seconds.insert(seconds_.begin(), seconds_.end());
   report.notes = steps_->notes();
+  report.advice.inside_out =
+      "move or turn the handles less, or give what lies between them handles that turn as well";
   return report;
 }
 

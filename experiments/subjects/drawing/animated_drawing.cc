@@ -7,7 +7,6 @@
 #include "experiments/config/config.h"
 #include "experiments/measure/depth_jumps.h"
 #include "experiments/measure/drag.h"
-#include "experiments/measure/shortfalls.h"
 #include "experiments/subjects/animation/fingerprint.h"
 #include "experiments/subjects/animation/progress_line.h"
 #include "experiments/subjects/animation/solve_log.h"
@@ -187,7 +186,7 @@ class AnimatedDrawing : public Subject {
     if (!undone_.empty()) return;  // one frame tells it for all
     const Eigen::Matrix2Xd V = drawing_->deformer().deformed().V.topRows<2>();
     std::vector<std::string> found = missed_handles(drawing_->scene(), V, edit_, report_);
-    if (!drawing_->arap()) std::ranges::move(inside_out(report_), std::back_inserter(found));
+    std::ranges::move(inside_out(drawing_->scene(), V, report_), std::back_inserter(found));
     for (const std::string& what : found)
       undone_.push_back(fmt::format("frame {}: {}", frame, what));
   }

@@ -10,7 +10,6 @@
 #include "drawing/formats.h"
 #include "drawing/write_drawing.h"
 #include "experiments/measure/drawing_measurements.h"
-#include "experiments/measure/shortfalls.h"
 #include "experiments/subjects/drawing/drawing_pictures.h"
 #include "experiments/subjects/drawing/plane_shortfalls.h"
 #include "experiments/subjects/drawing/posed_drawing.h"
@@ -84,7 +83,7 @@ class DrawingSubject : public Subject {
     if (!options_.drag.back) {  // where handles go back, they are not to be at their targets
       result = missed_handles(scene(), drawing_->V(), edit_, drag_.last);
     }
-    if (!drawing_->arap()) std::ranges::move(inside_out(drag_.last), std::back_inserter(result));
+    std::ranges::move(inside_out(scene(), drawing_->V(), drag_.last), std::back_inserter(result));
     return result;
   }
 

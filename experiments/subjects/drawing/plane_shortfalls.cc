@@ -5,6 +5,7 @@
 #include "drawing/binding.h"
 #include "experiments/measure/drag.h"
 #include "experiments/measure/shortfalls.h"
+#include "geometry/plane/cross.h"
 #include "geometry/plane/locator.h"
 
 namespace deformlab {
@@ -29,6 +30,34 @@ std::string advice(const DrawingScene& scene, const Report& report) {
   return fmt::format("{}, or {}", text, report.advice.missed);
 }
 
+double signed_area(const Eigen::Matrix<double, 2, 3>& c) {
+  return cross(c.col(1) - c.col(0), c.col(2) - c.col(0)) / 2;
+}
+
+// The triangles that are turned inside out.
+struct Flipped {
+  int count = 0;
+  double area = 0, all = 0;  // at rest, theirs and that of all triangles
+  double largest = 0;        // area at rest
+  Eigen::Vector2d at;        // the centre of the largest one at rest
+};
+
+Flipped flipped(const Triangulation& rest, const Eigen::Matrix2Xd& V) {
+  Flipped found;
+  for (Eigen::Index f = 0; f < rest.F.cols(); ++f) {
+    const Eigen::Matrix<double, 2, 3> before = corners(rest.V, rest.F, f);
+    const double area = signed_area(before);
+    found.all += std::abs(area);
+    if (!(area * signed_area(corners(V, rest.F, f)) < 0)) continue;
+    ++found.count;
+    found.area += std::abs(area);
+    if (std::abs(area) <= found.largest) continue;
+    found.largest = std::abs(area);
+    found.at = before.rowwise().mean();
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<std::string> missed_handles(const DrawingScene& scene, const Eigen::Matrix2Xd& V,
@@ -51,6 +80,18 @@ std::vector<std::string> missed_handles(const DrawingScene& scene, const Eigen::
                   "{:.6g}), while the edit's longest way is {:.3g}{}; {}",
                   rest(0, worst), rest(1, worst), most, targets(0, worst), targets(1, worst),
                   motion, others, advice(scene, report))};
+}
+
+std::vector<std::string> inside_out(const DrawingScene& scene, const Eigen::Matrix2Xd& V,
+                                    const Report& report) {
+  constexpr double kNoticed = 0.005;  // of the drawing's area
+  const Flipped found = flipped(scene.rest, V);
+  if (!(found.area > kNoticed * found.all)) return {};
+  return {fmt::format(
+      "{:.2g} % of the drawing is turned inside out, {} of {} triangles, such as the one at "
+      "({:.4g}, {:.4g}); {}",
+      100 * found.area / found.all, found.count, scene.rest.F.cols(), found.at.x(), found.at.y(),
+      report.advice.inside_out)};
 }
 
 }  // namespace deformlab
