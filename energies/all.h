@@ -5,10 +5,14 @@
 #include "energies/graph/regularization.h"
 #include "energies/graph/rotation.h"
 #include "energies/graph/smoothness.h"
+#include "energies/triangle/arap.h"
+#include "energies/triangle/area.h"
 #include "energies/triangle/edge_fit.h"
 #include "energies/triangle/fitting.h"
 #include "energies/triangle/point_constraint.h"
 #include "energies/triangle/similarity.h"
+#include "energies/triangle/stretch_shear.h"
+#include "energies/triangle/symmetric_dirichlet.h"
 
 namespace deformlab {
 
@@ -25,7 +29,12 @@ struct TermList {};
 /// defined for.
 using GraphTerms = GraphTermList<Rotation, Regularization, Constraint, Smoothness, Orientation>;
 
-/// The terms over a triangulation of the plane, which arap_2d minimises. Tests check their laws.
-using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PointConstraint>;
+/// The elastic terms over a triangulation of the plane. They have weights in configs, and arap_2d
+/// minimises them after its two steps.
+using ElasticTerms = TermList<Arap, StretchShear, Area, SymmetricDirichlet>;
+
+/// All terms over a triangulation, those of the two steps first. Tests check their laws.
+using TriangleTerms = TermList<Similarity, Fitting, EdgeFit, PointConstraint, Arap, StretchShear,
+                               Area, SymmetricDirichlet>;
 
 }  // namespace deformlab

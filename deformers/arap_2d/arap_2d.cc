@@ -19,17 +19,28 @@ namespace {
 constexpr double kOutside = 1e-9;
 constexpr double kAtCorner = 1e-12;  // smaller barycentric coordinates count as 0
 
-std::unique_ptr<TwoStepSolver> make_steps(const Triangulation& rest, const Eigen::VectorXd& weights,
-                                          const Arap2dOptions& options) {
-  check_options(options);
-  const Eigen::VectorXd stiffness =
-      weights.size() > 0 ? weights : Eigen::VectorXd::Ones(rest.F.cols());
+std::unique_ptr<TwoStepSolver> two_steps(const Triangulation& rest,
+                                         const Eigen::VectorXd& stiffness,
+                                         const Arap2dOptions& options) {
   if (options.steps == TwoStepMethod::kGeneralSolver) {
     return inside_option("solver", [&]() -> std::unique_ptr<TwoStepSolver> {
       return std::make_unique<GeneralSteps>(rest, stiffness, options.refinements, options.solver);
     });
   }
   return std::make_unique<ClosedFormSteps>(rest, stiffness, options.refinements);
+}
+
+std::unique_ptr<TwoStepSolver> make_steps(const Triangulation& rest, const Eigen::VectorXd& weights,
+                                          const Arap2dOptions& options) {
+  check_options(options);
+  const Eigen::VectorXd stiffness =
+      weights.size() > 0 ? weights : Eigen::VectorXd::Ones(rest.F.cols());
+  std::unique_ptr<TwoStepSolver> steps = two_steps(rest, stiffness, options);
+  return inside_option("elastic", [&]() -> std::unique_ptr<TwoStepSolver> {
+    check_elastic(options.elastic);
+    if (!options.elastic.is_used()) return std::move(steps);
+    return std::make_unique<ElasticSteps>(std::move(steps), rest, stiffness, options.elastic);
+  });
 }
 
 double twice_signed_area(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {

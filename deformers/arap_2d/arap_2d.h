@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "deformers/arap_2d/elastic_steps.h"
 #include "deformers/arap_2d/two_step_solver.h"
 #include "deformers/deformer.h"
 #include "geometry/plane/locator.h"
@@ -30,6 +31,8 @@ struct Arap2dOptions {
   /// The options of kGeneralSolver. Ceres' dogleg begins with a full step, which solves a linear
   /// problem at once.
   SolverOptions solver = {.ceres_trust_region = CeresTrustRegion::kDogleg, .epsilon = 1e-14};
+  /// An energy that is minimised after the two steps.
+  ElasticOptions elastic{};
 
   template <class Self, class Visit>
   static void fields(Self& o, Visit&& visit) {
@@ -41,6 +44,8 @@ struct Arap2dOptions {
                 "How often step two is repeated with rotations fitted to its own result; the paper "
                 "does not repeat it");
     visit("solver", o.solver, "The solver that minimises the problems of the two steps");
+    visit("elastic", o.elastic,
+          "A nonlinear energy over the triangles that is minimised after the two steps");
   }
 };
 
