@@ -1,11 +1,13 @@
 #include "geometry/transfer/path_stops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <deque>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "geometry/core/hash.h"
@@ -45,6 +47,17 @@ double cell_size(const Eigen::Matrix3Xd& V, const Eigen::Matrix3Xi& T, std::size
   return size > least ? size : std::max(least, kTiny);
 }
 
+// A cell of a grid, and a part of the surface in it.
+using PartInCell = std::array<std::int64_t, 4>;
+
+struct HashOfPart {
+  std::size_t operator()(const PartInCell& key) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t x : key) hash = mixed(hash, static_cast<std::uint64_t>(x));
+    return hash;
+  }
+};
+
 // Chooses the sources, and one vertex of each part of the surface in each cell of a grid.
 std::vector<int> choose_vertices(const WeldedSurface& surface, std::span<const int> part,
                                  std::span<const int> sources, double cell) {
@@ -57,14 +70,14 @@ std::vector<int> choose_vertices(const WeldedSurface& surface, std::span<const i
   };
   for (const int s : sources) take(first[s]);
   const Eigen::Vector3d low = V.rowwise().minCoeff();
-  std::unordered_map<std::uint64_t, int> cells;
+  std::unordered_set<PartInCell, HashOfPart> cells;
   for (int i = 0; i < V.cols(); ++i) {
     if (first[i] != i) continue;
-    std::uint64_t key = static_cast<std::uint64_t>(part[i]) + 1;
+    PartInCell key{part[i]};
     for (int axis = 0; axis < 3; ++axis) {
-      key = mixed(key, static_cast<std::uint64_t>((V(axis, i) - low[axis]) / cell));
+      key[axis + 1] = static_cast<std::int64_t>((V(axis, i) - low[axis]) / cell);
     }
-    if (cells.try_emplace(key, i).second) take(i);
+    if (cells.insert(key).second) take(i);  // a part without a stop would have no paths
   }
   return stops;
 }

@@ -49,6 +49,26 @@ TEST(PathAware, IsStraightOnAFlatSurface) {
   }
 }
 
+// So many that there are paths between some vertices only, of which each part needs one.
+TEST(PathAware, EachOfManyPartsHasPaths) {
+  constexpr int kParts = 3000;
+  Shape shape;
+  shape.V.resize(3, 3 * kParts);
+  std::vector<int> sources;
+  for (int p = 0; p < kParts; ++p) {
+    const double x = p * 7919 % kParts;
+    shape.V.middleCols<3>(3 * p) << x, x + 0.1, x, 0, 0, 0.1, 0, 0, 0;
+    shape.faces.push_back({3 * p, 3 * p + 1, 3 * p + 2});
+    if (p % 10 == 0) sources.push_back(3 * p);  // which are stops anyway
+  }
+  const NearestSources nearest = nearest_path_aware(WeldedSurface(shape), sources, 4);
+  for (int i = 0; i < shape.V.cols(); ++i) {
+    ASSERT_EQ(nearest.found[i], 4) << i;
+    EXPECT_NEAR(nearest.distances(0, i),
+                (shape.V.col(i) - shape.V.col(sources[nearest.sources(0, i)])).norm(), 0.2);
+  }
+}
+
 TEST(PathAware, GoesAlongTheSurfaceWhereThatIsALongWayRound) {
   for (const int n : {21, 121}) {  // with paths between all vertices, and between some of them
     const Shape shape = rolled_plane(n);
