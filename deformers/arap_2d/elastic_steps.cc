@@ -61,11 +61,13 @@ ElasticSteps::ElasticSteps(std::unique_ptr<TwoStepSolver> two_steps, const Trian
 // Vertices of components that have handles at fewer than two positions, and vertices with handles.
 void ElasticSteps::fix_vertices(const std::vector<BarycentricPoint>& points) {
   const Eigen::VectorXcd p = to_complex(mesh_.V);
+  const double extent = extent_of(p);
   problem_.fixed.assign(static_cast<std::size_t>(mesh_.V.cols()), 0);
   for (const MeshComponent& component : components_) {
     std::vector<BarycentricPoint> own;
     for (const int i : points_inside(component, points)) own.push_back(points[i]);
-    if (motion_of(!own.empty(), are_distinct(own, p)) == ComponentMotion::kDeformation) continue;
+    if (motion_of(!own.empty(), are_distinct(own, p, extent)) == ComponentMotion::kDeformation)
+      continue;
     for (const int v : component.vertices) problem_.fixed[v] = 1;
   }
   held_.clear();
