@@ -48,10 +48,12 @@ struct Report {
 class Deformer {
  public:
   virtual ~Deformer() = default;
-  /// Compilation: handles are added or removed. Throws InputError for a vertex that does not exist,
-  /// is both fixed and moved or is moved twice, for a point that is not finite, and for rotations,
-  /// groups or weights that are not one for each target or none, and for weights that the method
-  /// does not take. The deformer is then as it was before.
+  /// Compilation: handles are added or removed. An editor gives the whole new set; a method that
+  /// can keeps what the set before it has in common with it, and the result is the same. Throws
+  /// InputError for a vertex that does not exist, is both fixed and moved or is moved twice, for a
+  /// point that is not finite, and for rotations, groups or weights that are not one for each
+  /// target or none, and for weights that the method does not take. The deformer is then as it was
+  /// before.
   virtual void compile(const Handles& handles) = 0;
   /// Update: the moved handles go to their targets, first those of `moved`, then those of `points`
   /// (3×#targets) [length]. It starts from the result of the last update. Throws InputError for

@@ -71,6 +71,11 @@ class Arap2d final : public Deformer {
   const Shape& deformed() const override { return deformed_; }
   void reset() override;
 
+  /// How many times all handles were compiled. Where handles were added, removed or put elsewhere,
+  /// `compile` only adapts what it has, unless `reset` was called before, the steps are those of a
+  /// general solver, or there are very many handles (more than about 5 ∛#V).
+  int compilations() const { return steps_->compilations(); }
+
   /// 2×#V: the result of step one in the last update (Figure 3a) [length].
   Eigen::Matrix2Xd intermediate() const { return steps_->intermediate(); }
   /// 2×3·#F: the corners of the fitted triangles (Figure 3b) [length].

@@ -17,13 +17,15 @@ ClosedFormSteps::ClosedFormSteps(const Triangulation& mesh, const Eigen::VectorX
 
 void ClosedFormSteps::compile(const std::vector<BarycentricPoint>& points) {
   MotionNotes motions;
+  bool adapts = std::exchange(compiled_, true);
   for (ComponentSolver& solver : components_) {
-    solver.compile(points);
+    adapts = solver.compile(points) && adapts;
     motions.add(solver.component(), solver.motion());
     if (solver.motion() != ComponentMotion::kNone) continue;
     const std::vector<int>& own = solver.component().vertices;
     V_(Eigen::all, own) = mesh_.V(Eigen::all, own);
   }
+  compilations_ += !adapts;
   notes_ = motions.notes();
 }
 
@@ -33,6 +35,7 @@ void ClosedFormSteps::update(const Eigen::Matrix2Xd& targets) {
 }
 
 void ClosedFormSteps::reset() {
+  compiled_ = false;
   for (ComponentSolver& solver : components_) solver.reset();
   V_ = mesh_.V;
 }

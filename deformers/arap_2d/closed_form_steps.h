@@ -10,8 +10,11 @@ namespace deformlab {
 
 /// The two steps in closed form (Igarashi et al. 2005, sections 4.1 to 4.3), for each connected
 /// component of a mesh on its own. Registration and compilation compute all that does not depend on
-/// the targets. An update is then a small matrix times the targets (step one), a rotation for each
-/// triangle (fitting) and one triangular solve (step two); it allocates no memory.
+/// the targets. An update is then a small matrix times the targets and a sum of columns, or half a
+/// triangular solve where there are many handles (step one), a rotation for each triangle (fitting)
+/// and one triangular solve (step two); it allocates no memory. A compilation keeps the columns of
+/// the handles that stay, so that each new handle costs one solve and a removed one none; only
+/// where there are very many, it factorizes the matrices of the handles.
 class ClosedFormSteps final : public TwoStepSolver {
  public:
   /// Registration.
@@ -34,6 +37,7 @@ class ClosedFormSteps final : public TwoStepSolver {
  private:
   Triangulation mesh_;
   int refinements_;
+  bool compiled_ = false;  // since the last reset
   std::vector<ComponentSolver> components_;
   Eigen::Matrix2Xd V_;
 };

@@ -36,8 +36,16 @@ ComponentSolver::ComponentSolver(const Triangulation& mesh, const Eigen::VectorX
   for (const int i : mesh_->order) vertex_.push_back(component_.vertices[i]);
 }
 
-void ComponentSolver::compile(const std::vector<BarycentricPoint>& points) {
+void ComponentSolver::reset() {
+  mesh_->fit.reset();
+  keeps_handles_ = false;
+}
+
+bool ComponentSolver::compile(const std::vector<BarycentricPoint>& points) {
   system_ = nullptr;
+  if (!std::exchange(keeps_handles_, true)) {
+    schur_complement_ = make_schur_complement_system(*mesh_);
+  }
   target_ = points_inside(component_, points);
   q_.resize(std::ssize(target_));
   const std::vector<int>& own = component_.vertices;
@@ -52,9 +60,10 @@ void ComponentSolver::compile(const std::vector<BarycentricPoint>& points) {
   const Eigen::Index rank = handles.rank();
   handles.distinct = rank > 1 && are_distinct(points_, mesh_->p, mesh_->extent);
   motion_ = motion_of(!points_.empty(), handles.distinct);
-  if (rank <= 1) return;
+  if (rank <= 1) return true;
   system_ = are_few(rank, mesh_->p.size()) ? schur_complement_.get() : elimination_.get();
   system_->compile(handles);
+  return system_ == schur_complement_.get();
 }
 
 // The rest shape, translated by the mean displacement of the handles.

@@ -21,12 +21,14 @@ class ComponentSolver {
   ComponentSolver(const Triangulation& mesh, const Eigen::VectorXd& weights,
                   MeshComponent component);
 
-  /// Compilation: takes those of the points that lie in this component.
-  void compile(const std::vector<BarycentricPoint>& points);
+  /// Compilation: takes those of the points that lie in this component. Returns whether it kept
+  /// what it could of the compilation before it; very many handles have to be compiled afresh.
+  bool compile(const std::vector<BarycentricPoint>& points);
   /// Moves the points to their targets (2×#points of the whole mesh) and writes V (2×#V) [length].
   void update(const Eigen::Matrix2Xd& targets, int refinements, TwoStepSolver::Seconds& seconds,
               Eigen::Matrix2Xd& V);
-  void reset() { mesh_->fit.reset(); }
+  /// Sets all rotations to 1. The next compilation keeps nothing.
+  void reset();
 
   const MeshComponent& component() const { return component_; }
   ComponentMotion motion() const { return motion_; }
@@ -50,6 +52,7 @@ class ComponentSolver {
   std::vector<int> target_;               // the column of each handle's target
   std::vector<BarycentricPoint> points_;  // its handles, with the registered mesh's vertices
   std::unique_ptr<HandleSystem> schur_complement_, elimination_;
+  bool keeps_handles_ = true;
   HandleSystem* system_ = nullptr;  // one of them; null where handles impose at most one condition
   // Targets q_ and positions z_ are relative to origin_, the first target. So they are exactly 0
   // where all targets are one point.

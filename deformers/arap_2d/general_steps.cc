@@ -142,6 +142,7 @@ void GeneralSteps::compile_problems() {
   }
   edge_fit_.problem.terms.push_back({energy(EdgeFit::over(mesh_, weights_)), 1});
   for (Step* step : {&similarity_, &edge_fit_}) step->solver->compile(step->problem);
+  ++compilations_;
 }
 
 void GeneralSteps::translate_components(const Eigen::Matrix2Xd& q) {

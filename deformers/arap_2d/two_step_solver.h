@@ -32,11 +32,12 @@ class TwoStepSolver {
   virtual ~TwoStepSolver() = default;
 
   /// Compilation: handles are at these points of the rest mesh. Points that share vertices and are
-  /// not independent of each other meet their targets in the least-squares sense.
+  /// not independent of each other meet their targets in the least-squares sense. The result does
+  /// not depend on the handles before.
   virtual void compile(const std::vector<BarycentricPoint>& points) = 0;
   /// Update: moves the points to their targets, 2×#points [length].
   virtual void update(const Eigen::Matrix2Xd& targets) = 0;
-  /// Returns to the rest shape; the handles stay.
+  /// Returns to the rest shape; the handles stay. The next compilation adapts nothing.
   virtual void reset() = 0;
 
   /// The result v'' of the last update, 2×#V [length].
@@ -50,11 +51,14 @@ class TwoStepSolver {
   /// What the last update did.
   virtual Summary summary() const = 0;
   const Seconds& seconds() const { return seconds_; }
+  /// How many compilations did not only adapt the one before them.
+  int compilations() const { return compilations_; }
   /// What a user should know about the compilation, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  protected:
   Seconds seconds_;
+  int compilations_ = 0;
   std::vector<std::string> notes_;
 };
 

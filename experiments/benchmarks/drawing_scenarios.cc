@@ -1,5 +1,5 @@
 // A drawing is compared with CGAL's Surface_mesh_deformation (spokes and rims, Eigen's SparseLU) on
-// the same mesh with the same three handles.
+// the same mesh with the same handles.
 #define CGAL_EIGEN3_ENABLED
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -27,7 +27,7 @@ using Arap = CGAL::Surface_mesh_deformation<Mesh>;
 
 struct Drawing {
   Triangulation mesh;
-  std::array<int, 3> handles{};  // vertices
+  std::array<int, 4> handles{};  // vertices, of which the last is the one that is added
   Eigen::Matrix2Xd targets;      // 2×3
 };
 
@@ -43,30 +43,43 @@ Triangulation five_arms(int vertices) {
   return triangulate(region, {.vertices = vertices}, "five arms");
 }
 
-// The handles are the vertices nearest to the ends of three arms; the first is moved.
+// The handles are the vertices nearest to the ends of the arms; the first is moved.
 Drawing drawing(int vertices) {
   Drawing result{five_arms(vertices), {}, Eigen::Matrix2Xd(2, 3)};
-  for (int arm = 0; arm < 3; ++arm) {
+  for (int arm = 0; arm < 4; ++arm) {
     const double angle = 2 * std::numbers::pi * (2 * arm % 5) / 5;
     const Eigen::Vector2d end(130 * std::cos(angle), 130 * std::sin(angle));
     (result.mesh.V.colwise() - end).colwise().squaredNorm().minCoeff(&result.handles[arm]);
-    result.targets.col(arm) = result.mesh.V.col(result.handles[arm]);
+    if (arm < 3) result.targets.col(arm) = result.mesh.V.col(result.handles[arm]);
   }
   result.targets.col(0) += Eigen::Vector2d(20, 35);
   return result;
 }
 
-// The mean time of one call [ms], over as many calls as take long enough to be measured.
-template <class Call>
-double mean_ms(Call&& call) {
+// The mean time of one call [ms], over as many calls as take long enough to be measured. What is
+// done before each call is not counted.
+template <class Call, class Before>
+double mean_ms(Call&& call, Before&& before) {
   double seconds = 0;
   int calls = 0;
   while (seconds < kLeastSeconds) {
+    before();
     Stopwatch watch(seconds);
     call();
     ++calls;
   }
   return 1e3 * seconds / calls;
+}
+
+template <class Call>
+double mean_ms(Call&& call) {
+  return mean_ms(call, [] {});
+}
+
+RunResult result_of(double ms) {
+  RunResult result;
+  result.ms = ms;
+  return result;
 }
 
 class TwoStepWay {
@@ -77,15 +90,32 @@ class TwoStepWay {
         deformation_(drawing_.mesh, weights_),
         registered_(drawing_.mesh, weights_),
         z_(registered_.p) {
-    for (const int v : drawing_.handles) handles_.push_back(BarycentricPoint::at_vertex(v));
+    for (const int v : drawing_.handles) more_.push_back(BarycentricPoint::at_vertex(v));
+    handles_.assign(more_.begin(), more_.end() - 1);
     deformation_.compile(handles_);
   }
 
+  RunResult registration() {
+    return result_of(mean_ms([&] { ClosedFormSteps(drawing_.mesh, weights_); }));
+  }
+
+  // After a reset, all handles are compiled.
   RunResult compile() {
-    RunResult result;
-    result.ms = mean_ms([&] { deformation_.compile(handles_); });
-    result.parts = {{"registration", mean_ms([&] { ClosedFormSteps(drawing_.mesh, weights_); })}};
-    return result;
+    return result_of(
+        mean_ms([&] { deformation_.compile(handles_); }, [&] { deformation_.reset(); }));
+  }
+
+  RunResult add() {
+    return result_of(
+        mean_ms([&] { deformation_.compile(more_); }, [&] { deformation_.compile(handles_); }));
+  }
+
+  RunResult change() {
+    return result_of(mean_ms([&] {
+                       deformation_.compile(more_);
+                       deformation_.compile(handles_);
+                     }) /
+                     2);
   }
 
   RunResult update() {
@@ -110,7 +140,7 @@ class TwoStepWay {
  private:
   Drawing drawing_;
   Eigen::VectorXd weights_;
-  std::vector<BarycentricPoint> handles_;
+  std::vector<BarycentricPoint> handles_, more_;  // three and four
   ClosedFormSteps deformation_;
   RegisteredMesh registered_;
   Eigen::VectorXcd z_;
@@ -121,13 +151,15 @@ class CgalWay {
   explicit CgalWay(int vertices)
       : drawing_(drawing(vertices)), mesh_(to_cgal(drawing_.mesh)), deformation_(mesh_) {
     deformation_.insert_roi_vertices(mesh_.vertices().begin(), mesh_.vertices().end());
-    preprocess();
+    preprocess(3);
   }
 
   RunResult compile() {
-    RunResult result;
-    result.ms = mean_ms([&] { preprocess(); });
-    return result;
+    return result_of(mean_ms([&] { preprocess(3); }));
+  }
+
+  RunResult add() {
+    return result_of(mean_ms([&] { preprocess(4); }));
   }
 
   RunResult update() {
@@ -151,9 +183,11 @@ class CgalWay {
   }
 
   // CGAL factorizes again after a change of the handles.
-  void preprocess() {
+  void preprocess(int handles) {
     deformation_.clear_control_vertices();
-    for (const int v : drawing_.handles) deformation_.insert_control_vertex(Mesh::Vertex_index(v));
+    for (int i = 0; i < handles; ++i) {
+      deformation_.insert_control_vertex(Mesh::Vertex_index(drawing_.handles[i]));
+    }
     deformation_.preprocess();
   }
 
@@ -162,16 +196,19 @@ class CgalWay {
   Arap deformation_;
 };
 
+// A way that measures one action of a kind of deformation, which it makes once.
 template <class Kind>
-Way compiling(const char* name, int vertices) {
+Way way(const char* name, int vertices, RunResult (Kind::*action)()) {
   auto kept = std::make_shared<Kind>(vertices);
-  return {name, [kept] { return kept->compile(); }};
+  return {name, [kept, action] { return (*kept.*action)(); }};
 }
 
-template <class Kind>
-Way updating(const char* name, int vertices) {
-  auto kept = std::make_shared<Kind>(vertices);
-  return {name, [kept] { return kept->update(); }};
+Way two_steps(const char* name, int vertices, RunResult (TwoStepWay::*action)()) {
+  return way(name, vertices, action);
+}
+
+Way cgal_preprocessing(int vertices, RunResult (CgalWay::*action)() = &CgalWay::compile) {
+  return way("CGAL, a preprocessing, spokes and rims, SparseLU", vertices, action);
 }
 
 }  // namespace
@@ -180,11 +217,25 @@ std::vector<Scenario> drawing_scenarios() {
   const std::vector<int> sizes = {93, 150, 300, 1000, 5000, 20000};
   return {
       {"an update of a drawing", "an iteration of CGAL", "vertices", sizes,
-       [](int vertices) { return updating<TwoStepWay>("arap_2d, an update", vertices); },
-       [](int vertices) { return updating<CgalWay>("CGAL, an iteration", vertices); }},
+       [](int n) { return two_steps("arap_2d, an update", n, &TwoStepWay::update); },
+       [](int n) {
+         return way("CGAL, an iteration, spokes and rims, SparseLU", n, &CgalWay::update);
+       }},
+      {"a registration of a drawing", "CGAL's preprocessing", "vertices", sizes,
+       [](int n) { return two_steps("arap_2d, a registration", n, &TwoStepWay::registration); },
+       [](int n) { return cgal_preprocessing(n); }},
       {"a compilation of a drawing", "CGAL's preprocessing", "vertices", sizes,
-       [](int vertices) { return compiling<TwoStepWay>("arap_2d, a compilation", vertices); },
-       [](int vertices) { return compiling<CgalWay>("CGAL, a preprocessing", vertices); }},
+       [](int n) { return two_steps("arap_2d, a compilation", n, &TwoStepWay::compile); },
+       [](int n) { return cgal_preprocessing(n); }},
+      {"one handle added to a drawing",
+       "CGAL's preprocessing",
+       "vertices",
+       {1000, 20000},
+       [](int n) { return two_steps("arap_2d, a fourth handle", n, &TwoStepWay::add); },
+       [](int n) { return cgal_preprocessing(n, &CgalWay::add); }},
+      {"a handle of a drawing added or removed", "a full compilation", "vertices", sizes,
+       [](int n) { return two_steps("arap_2d, adapted", n, &TwoStepWay::change); },
+       [](int n) { return two_steps("arap_2d, afresh", n, &TwoStepWay::compile); }},
   };
 }
 

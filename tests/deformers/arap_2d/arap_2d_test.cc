@@ -86,6 +86,24 @@ TEST(Arap2d, TheResultDoesNotDependOnTheWay) {
   EXPECT_LT((dragged.deformed().V - at_once.deformed().V).norm(), 1e-11);
 }
 
+TEST(Arap2d, AdaptsToHandlesThatAreAddedAndRemoved) {
+  Arap2d deformer(square(), {}, {}), other(square(), {}, with(TwoStepMethod::kGeneralSolver));
+  const int before = deformer.compilations(), of_other = other.compilations();
+  Handles more = corner_and_point();
+  more.moved = {8, 80};
+  Eigen::Matrix3Xd to(3, 3);
+  to << Eigen::Vector3d(square().V(0, 8), square().V(1, 8), 0), targets();
+  for (Arap2d* each : {&deformer, &other}) {
+    each->compile(corner_and_point());
+    each->update(targets());
+    each->compile(more);
+    each->update(to);
+  }
+  EXPECT_LT((deformer.deformed().V - other.deformed().V).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(deformer.compilations(), before);
+  EXPECT_EQ(other.compilations(), of_other + 2);
+}
+
 TEST(Arap2d, ResetsToRestAndKeepsItsHandles) {
   Arap2d deformer(square(), {}, {});
   deformer.compile(corner_and_point());

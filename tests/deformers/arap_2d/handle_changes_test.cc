@@ -74,8 +74,8 @@ Eigen::Matrix2Xd nearby(const Triangulation& mesh, const std::vector<Barycentric
 }
 
 // Compares with a solver that has never had another handle. Several edits may come before an
-// update.
-void expect_as_afresh(const Triangulation& mesh, std::ptrdiff_t most) {
+// update. Returns how many compilations did not adapt the one before.
+int expect_as_afresh(const Triangulation& mesh, std::ptrdiff_t most) {
   ClosedFormSteps adapting(mesh, ones(mesh));
   RandomHandles handles(mesh, most);
   for (int edit = 1; edit <= kEdits; ++edit) {
@@ -88,10 +88,12 @@ void expect_as_afresh(const Triangulation& mesh, std::ptrdiff_t most) {
     afresh.compile(points);
     adapting.update(targets);
     afresh.update(targets);
-    ASSERT_EQ(adapting.intermediate(), afresh.intermediate()) << edit;
-    ASSERT_EQ(adapting.positions(), afresh.positions()) << edit;
-    ASSERT_EQ(adapting.notes(), afresh.notes()) << edit;
+    EXPECT_EQ(adapting.intermediate(), afresh.intermediate()) << edit;
+    EXPECT_EQ(adapting.positions(), afresh.positions()) << edit;
+    EXPECT_EQ(adapting.notes(), afresh.notes()) << edit;
+    if (::testing::Test::HasFailure()) break;
   }
+  return adapting.compilations();
 }
 
 // A ring.
@@ -106,11 +108,30 @@ Triangulation ring() {
   return triangulate(region, {.vertices = 150}, "ring");
 }
 
-TEST(HandleChanges2d, GiveTheResultOfAFullCompilationOnASquare) { expect_as_afresh(square(), 22); }
-TEST(HandleChanges2d, GiveTheResultOfAFullCompilationOnTwoSquares) {
-  expect_as_afresh(two_squares(), 8);
+// There are often so many handles on the square that their system is factorized.
+TEST(HandleChanges2d, GiveTheResultOfAFullCompilationOnASquare) {
+  EXPECT_LT(expect_as_afresh(square(), 22), kEdits / 2);
 }
-TEST(HandleChanges2d, GiveTheResultOfAFullCompilationOnARing) { expect_as_afresh(ring(), 5); }
+TEST(HandleChanges2d, GiveTheResultOfAFullCompilationOnTwoSquares) {
+  EXPECT_EQ(expect_as_afresh(two_squares(), 8), 1);
+}
+TEST(HandleChanges2d, GiveTheResultOfAFullCompilationOnARing) {
+  EXPECT_EQ(expect_as_afresh(ring(), 5), 1);
+}
+
+TEST(HandleChanges2d, AfterAResetAllHandlesAreCompiled) {
+  const Triangulation mesh = square();
+  const std::vector<BarycentricPoint> points = handle_cases(mesh)[1].points;
+  ClosedFormSteps steps(mesh, ones(mesh));
+  steps.compile(points);
+  steps.update(moved(mesh, points));
+  const Eigen::Matrix2Xd V = steps.positions();
+  steps.reset();
+  steps.compile(points);
+  EXPECT_EQ(steps.compilations(), 2);
+  steps.update(moved(mesh, points));
+  EXPECT_EQ(steps.positions(), V);
+}
 
 // Both systems, for the same handles, of which one keeps those of the last case.
 TEST(HandleChanges2d, BothSystemsAgreeInBothSteps) {
