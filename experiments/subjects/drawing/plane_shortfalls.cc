@@ -84,9 +84,9 @@ std::vector<std::string> missed_handles(const DrawingScene& scene, const Eigen::
 
 std::vector<std::string> inside_out(const DrawingScene& scene, const Eigen::Matrix2Xd& V,
                                     const Report& report) {
-  constexpr double kNoticed = 0.005;  // of the drawing's area
+  constexpr double kNoticed = 0.006;  // of the drawing's area
   const Flipped found = flipped(scene.rest, V);
-  if (!(found.area > kNoticed * found.all)) return {};
+  if (found.count < 2 || !(found.area > kNoticed * found.all)) return {};
   return {fmt::format(
       "{:.2g} % of the drawing is turned inside out, {} of {} triangles, such as the one at "
       "({:.4g}, {:.4g}); {}",

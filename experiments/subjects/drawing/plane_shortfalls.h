@@ -15,9 +15,10 @@ namespace deformlab {
 std::vector<std::string> missed_handles(const DrawingScene& scene, const Eigen::Matrix2Xd& V,
                                         const ResolvedEdit& edit, const Report& report);
 
-/// Parts of a drawing that are turned inside out, as a reflection is, if they have more than 0.5 %
-/// of its area at rest, in one sentence for the user; nothing for smaller ones, which cannot be
-/// seen. V (2×#V) are the deformed vertices. The report tells what its method advises.
+/// Parts of a drawing that are turned inside out, as a reflection is, if they have two triangles
+/// and more than 0.6 % of its area at rest, in one sentence for the user; nothing for smaller ones,
+/// such as a fold at a handle, which can hardly be seen. V (2×#V) are the deformed vertices. The
+/// report tells what its method advises.
 std::vector<std::string> inside_out(const DrawingScene& scene, const Eigen::Matrix2Xd& V,
                                     const Report& report);
 
