@@ -114,6 +114,24 @@ class Stretch {
   std::vector<std::vector<int>> neighbors_;
 };
 
+// Whether two vertices are on different sides of a cut, so that they may part.
+class OnTwoSides {
+ public:
+  OnTwoSides(Eigen::Index vertices, std::span<const Cut> cuts) {
+    for (const Cut& cut : cuts) {
+      std::vector<char>& side = sides_.emplace_back(static_cast<std::size_t>(vertices), 0);
+      for (const int i : cut.a) side[i] = 1;
+      for (const int i : cut.b) side[i] = 2;
+    }
+  }
+  bool operator()(int i, int j) const {
+    return std::ranges::any_of(sides_, [&](const auto& side) { return (side[i] | side[j]) == 3; });
+  }
+
+ private:
+  std::vector<std::vector<char>> sides_;  // 1 or 2 for each vertex, or 0 on neither
+};
+
 // The longest way of a handle that turns with its group about the group's centroid. After a full
 // turn it is where it was, but it has moved.
 double longest_arc(const Eigen::Matrix3Xd& from, const Handles& handles) {
@@ -169,7 +187,8 @@ std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3X
   return result;
 }
 
-std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, const Report& report) {
+std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, const Report& report,
+                               std::span<const Cut> cuts) {
   std::vector<std::string> result;
   const auto [count, times, edge] = Stretch(rest, V).torn();
   if (count > 0) {
@@ -180,10 +199,12 @@ std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, con
   }
   const std::vector<int> first = weld(rest.V);
   const double allowed = kOpen * mean_side(rest);
+  const OnTwoSides are_cut(rest.V.cols(), cuts);
   int open = 0;
   double widest = 0;
   for (int i = 0; i < rest.V.cols(); ++i) {
-    const double gap = first[i] == i ? 0 : (V.col(i) - V.col(first[i])).norm();
+    if (first[i] == i || are_cut(i, first[i])) continue;
+    const double gap = (V.col(i) - V.col(first[i])).norm();
     open += gap > allowed && gap > 0;
     widest = std::max(widest, gap);
   }

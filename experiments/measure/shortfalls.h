@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "deformers/deformer.h"
+#include "geometry/graph/graph_cut.h"
 #include "geometry/shape/handles.h"
 #include "geometry/shape/shape.h"
 
@@ -29,8 +31,10 @@ std::vector<std::string> missed_handles(const Shape& rest, const Eigen::Matrix3X
                                         const Report& report);
 
 /// Edges that become more than 5 times as long as those around them let expect, and seams that
-/// open: vertices at one position at rest that end more than half a mean edge apart.
-std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, const Report& report);
+/// open: vertices at one position at rest that end more than half a mean edge apart, unless a cut
+/// is between them.
+std::vector<std::string> tears(const Shape& rest, const Eigen::Matrix3Xd& V, const Report& report,
+                               std::span<const Cut> cuts = {});
 
 /// Nodes that are inside out.
 std::vector<std::string> inside_out(const Report& report);

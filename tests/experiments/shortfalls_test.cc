@@ -76,6 +76,9 @@ TEST(Tears, AreSeamsThatOpen) {
   Eigen::Matrix3Xd open = seamed.V;
   open.rightCols(121).colwise() += Eigen::Vector3d(0.3, 0, 0);
   EXPECT_THAT(tears(seamed, open, {}), ElementsAre(HasSubstr("seam")));
+  Cut cut;
+  for (int i = 0; i < seamed.V.cols(); ++i) (i < 121 ? cut.a : cut.b).push_back(i);
+  EXPECT_THAT(tears(seamed, open, {}, std::vector{cut}), IsEmpty()) << "it is to open";
 }
 
 TEST(CheckMovable, RefusesAnEditOfWhichNoHandleCanMove) {

@@ -62,7 +62,8 @@ class ShapeSubject : public Subject {
     }
     MethodOptions method = options_.method;
     method.deformation.stiffness = painted_stiffness(options_.paint, rest_);
-    deformer_ = make_deformer(method, rest_, resolve_cuts(options_.cut, rest_));
+    cuts_ = resolve_cuts(options_.cut, rest_);
+    deformer_ = make_deformer(method, rest_, cuts_);
   }
 
   void deform() override {
@@ -78,7 +79,7 @@ class ShapeSubject : public Subject {
     if (!options_.drag.back) {  // where handles go back, they are not to be at their targets
       result = missed_handles(rest_, V, edit_.handles, edit_.targets, drag_.last);
     }
-    for (const auto& more : {tears(rest_, V, drag_.last), inside_out(drag_.last)}) {
+    for (const auto& more : {tears(rest_, V, drag_.last, cuts_), inside_out(drag_.last)}) {
       result.insert(result.end(), more.begin(), more.end());
     }
     return result;
@@ -144,6 +145,7 @@ class ShapeSubject : public Subject {
   RunContext context_;
   Shape rest_;
   ResolvedEdit edit_;
+  std::vector<Cut> cuts_;
   std::unique_ptr<Deformer> deformer_;
   DragReport drag_;
 };
