@@ -27,7 +27,9 @@ ceres=(
 for row in 'from rest, against Ceres' 'a drag of 1 % of the side, against Ceres' \
   'a hard scene from rest, against Ceres' 'from rest, against our CHOLMOD path' \
   'from rest with the transfer, against CGAL' 'an update of a drawing, against an iteration of CGAL' \
+  "a registration of a drawing, against CGAL's preprocessing" \
   "a compilation of a drawing, against CGAL's preprocessing" \
+  'a handle of a drawing added or removed, against a full compilation' \
   'a drag of the armadillo with the transfer, against Ceres and the same transfer' \
   "${ceres[@]/#/a step of CHOLMOD, against ceres }"; do
   grep -qF "| $row |" "$folder/benchmarks.md" || { echo "the report lacks '$row'" && exit 1; }
@@ -35,7 +37,7 @@ for row in 'from rest, against Ceres' 'a drag of 1 % of the side, against Ceres'
     { echo "the JSON file lacks '$row'" && exit 1; }
 done
 for key in commit blas threads cxx_flags processor ceres ratio ratio_least ratio_most settings \
-  alone_ms status steps cost ms 'whole solve' registration 'step one' fit 'step two' exponent growing large \
+  alone_ms status steps cost ms 'whole solve' 'step one' fit 'step two' exponent growing large \
   peak_bytes copy_ms; do
   grep -q "\"$key\":" "$folder/benchmarks.json" || { echo "no '$key' in the JSON file" && exit 1; }
 done
