@@ -190,7 +190,7 @@ void PanelCholesky<Scalar>::subtract(int q, const Panel& panel, Workspace& w) co
   Scalar coefficient[4 * kWidth * kNumbers<Scalar>] = {};
   int to = from;
   for (; to < left.rows && row[to] < panel.first + panel.width; ++to) {
-    Scalar* column = coefficient + row[to] - panel.first;
+    Scalar* column = coefficient + (row[to] - panel.first);
     for (int i = 0; i < left.width; ++i) {
       const Scalar c = conjugate(value[to * left.width + i]);
       column[4 * kNumbers<Scalar> * i] = c;
