@@ -77,7 +77,10 @@ CursorPath read_cursor(const ConfigNode& file, double fps) {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     check_after(table, i, false);
     path.moments.push_back(static_cast<FrameTime>(table.number(i, "time")) * fps);
-    path.at.col(static_cast<Eigen::Index>(i)) << table.number(i, "x"), table.number(i, "y");
+    // Before the assignment, because a list that an exception leaves unfinished is an error of
+    // Eigen.
+    const Eigen::Vector2d at(table.number(i, "x"), table.number(i, "y"));
+    path.at.col(static_cast<Eigen::Index>(i)) = at;
     path.where.push_back(table.where(i));
   }
   return path;
