@@ -9,7 +9,6 @@
 #include "deformers/handle_checks.h"
 #include "geometry/core/error.h"
 #include "geometry/graph/deformation_graph.h"
-#include "geometry/plane/cross.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -41,10 +40,6 @@ std::unique_ptr<TwoStepSolver> make_steps(const Triangulation& rest, const Eigen
     if (!options.elastic.is_used()) return std::move(steps);
     return std::make_unique<ElasticSteps>(std::move(steps), rest, stiffness, options.elastic);
   });
-}
-
-double twice_signed_area(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {
-  return cross(V.col(f[1]) - V.col(f[0]), V.col(f[2]) - V.col(f[0]));
 }
 
 }  // namespace
@@ -99,7 +94,7 @@ void Arap2d::reset() {
 void Arap2d::measure_triangles(Report& report) const {
   report.min_det_R = std::numeric_limits<double>::infinity();
   for (const auto f : rest_.F.colwise()) {
-    const double change = twice_signed_area(steps_->positions(), f) / twice_signed_area(rest_.V, f);
+    const double change = signed_area(steps_->positions(), f) / signed_area(rest_.V, f);
     report.min_det_R = std::min(report.min_det_R, change);
     report.inside_out += change < 0;
   }

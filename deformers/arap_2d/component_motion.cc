@@ -18,6 +18,13 @@ ComponentMotion motion_of(bool has_handles, bool handles_are_distinct) {
   return handles_are_distinct ? ComponentMotion::kDeformation : ComponentMotion::kTranslation;
 }
 
+Eigen::VectorXcd all_to_complex(const Eigen::Matrix2Xd& V) {
+  Eigen::VectorXcd z(V.cols());
+  z.real() = V.row(0);
+  z.imag() = V.row(1);
+  return z;
+}
+
 double extent_of(const Eigen::VectorXcd& p) { return (p.array() - p[0]).abs().maxCoeff(); }
 
 bool are_distinct(const std::vector<BarycentricPoint>& points, const Eigen::VectorXcd& p,

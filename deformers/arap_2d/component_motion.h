@@ -18,6 +18,9 @@ enum class ComponentMotion {
 
 ComponentMotion motion_of(bool has_handles, bool handles_are_distinct);
 
+/// The positions V (2×#V) as numbers x + iy.
+Eigen::VectorXcd all_to_complex(const Eigen::Matrix2Xd& V);
+
 /// The greatest distance of one of the positions p (#V) from the first [length].
 double extent_of(const Eigen::VectorXcd& p);
 

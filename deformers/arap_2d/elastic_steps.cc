@@ -10,7 +10,6 @@
 #include "energies/elastic_catalog.h"
 #include "energies/triangle/point_constraint.h"
 #include "geometry/core/error.h"
-#include "geometry/plane/cross.h"
 #include "solvers/stopwatch.h"
 
 namespace deformlab {
@@ -18,13 +17,6 @@ namespace {
 
 // The weight of a point_constraint, as a multiple of the elastic weights of its surroundings.
 constexpr double kConstraintWeight = 1e6;
-
-Eigen::VectorXcd to_complex(const Eigen::Matrix2Xd& V) {
-  Eigen::VectorXcd z(V.cols());
-  z.real() = V.row(0);
-  z.imag() = V.row(1);
-  return z;
-}
 
 bool is_vertex(const BarycentricPoint& point) { return point.b.maxCoeff() == 1; }
 
@@ -60,7 +52,7 @@ ElasticSteps::ElasticSteps(std::unique_ptr<TwoStepSolver> two_steps, const Trian
 
 // Vertices of components that have handles at fewer than two positions, and vertices with handles.
 void ElasticSteps::fix_vertices(const std::vector<BarycentricPoint>& points) {
-  const Eigen::VectorXcd p = to_complex(mesh_.V);
+  const Eigen::VectorXcd p = all_to_complex(mesh_.V);
   const double extent = extent_of(p);
   problem_.fixed.assign(static_cast<std::size_t>(mesh_.V.cols()), 0);
   for (const MeshComponent& component : components_) {
@@ -103,16 +95,14 @@ void ElasticSteps::compile(const std::vector<BarycentricPoint>& points) {
   problem_.terms.push_back({to_energy(PointConstraint::over(mesh_, held)),
                             kConstraintWeight * sum * weights_.maxCoeff()});
   solver_->compile(problem_);
+  ++compilations_;
 }
 
 int ElasticSteps::count_inside_out() const {
-  const Eigen::MatrixXd& V = problem_.x.X;
-  const auto area = [](const auto& P, const Eigen::Vector3i& f) {
-    return cross(Eigen::Vector2d(P.col(f[1]) - P.col(f[0])),
-                 Eigen::Vector2d(P.col(f[2]) - P.col(f[0])));
-  };
+  const Eigen::Matrix2Xd V = problem_.x.X;
   int count = 0;
-  for (const auto f : mesh_.F.colwise()) count += !(area(V, f) / area(mesh_.V, f) > 0);
+  for (const auto f : mesh_.F.colwise())
+    count += !(signed_area(V, f) / signed_area(mesh_.V, f) > 0);
   return count;
 }
 
@@ -136,8 +126,7 @@ void ElasticSteps::update(const Eigen::Matrix2Xd& targets) {
       summary_.status = Status::kFailed;
       summary_.message = fmt::format(
           "{} triangles are inside out after the two steps, where {} cannot begin; move the "
-          "handles "
-          "less, or take arap instead",
+          "handles less, or take arap instead",
           inside_out, oriented_);
       return;
     }

@@ -43,13 +43,6 @@ BarycentricPoint in_triangle(const BarycentricPoint& point, const Triangulation&
   return point;  // unreachable, because check_rest_mesh refuses vertices without a triangle
 }
 
-Eigen::VectorXcd all_to_complex(const Eigen::Matrix2Xd& V) {
-  Eigen::VectorXcd z(V.cols());
-  z.real() = V.row(0);
-  z.imag() = V.row(1);
-  return z;
-}
-
 }  // namespace
 
 GeneralSteps::GeneralSteps(const Triangulation& mesh, const Eigen::VectorXd& weights,

@@ -28,6 +28,10 @@ void check(const Triangulation& mesh) {
   }
 }
 
+double signed_area(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f) {
+  return cross(V.col(f[1]) - V.col(f[0]), V.col(f[2]) - V.col(f[0])) / 2;
+}
+
 TriangleQuality quality(const Triangulation& mesh) {
   check(mesh);
   TriangleQuality result{.least_angle = 180};

@@ -21,6 +21,10 @@ struct Triangulation {
 /// is not finite. The functions below and the classes that take a triangulation do so as well.
 void check(const Triangulation& mesh);
 
+/// The area of the triangle f of vertices at V (2×#V), negative where it turns the other way than
+/// (x, y) [length²].
+double signed_area(const Eigen::Matrix2Xd& V, const Eigen::Vector3i& f);
+
 /// The quality of triangles.
 struct TriangleQuality {
   double least_angle = 0;  ///< over all triangles [degree]

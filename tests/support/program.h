@@ -28,11 +28,13 @@ struct Ending {
   std::string out, err;
 };
 
-/// Starts deformlab in `folder` and waits for its end; a run of over two minutes is a hang.
-inline Ending start_program(const std::filesystem::path& folder, Words arguments,
-                            const std::string& program = DEFORMLAB_PROGRAM_PATH) {
+/// Starts a program in `folder`, with its output in two files, and does not wait for its end. A run
+/// of over two minutes is a hang, which a signal ends.
+inline pid_t begin_program(const std::filesystem::path& folder, Words arguments,
+                           const std::string& out = "/dev/null",
+                           const std::string& err = "/dev/null",
+                           const std::string& program = DEFORMLAB_PROGRAM_PATH) {
   constexpr unsigned kMostSeconds = 120;
-  const std::string out = folder.string() + ".stdout", err = folder.string() + ".stderr";
   arguments.insert(arguments.begin(), program);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -46,6 +48,14 @@ inline Ending start_program(const std::filesystem::path& folder, Words arguments
     if (ready) execv(argv[0], argv.data());
     _exit(127);
   }
+  return child;
+}
+
+/// Starts deformlab in `folder` and waits for its end.
+inline Ending start_program(const std::filesystem::path& folder, const Words& arguments,
+                            const std::string& program = DEFORMLAB_PROGRAM_PATH) {
+  const std::string out = folder.string() + ".stdout", err = folder.string() + ".stderr";
+  const pid_t child = begin_program(folder, arguments, out, err, program);
   int status = 0;
   waitpid(child, &status, 0);
   Ending ending{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_file(out),

@@ -5,7 +5,6 @@
 #include "drawing/binding.h"
 #include "experiments/measure/drag.h"
 #include "experiments/measure/shortfalls.h"
-#include "geometry/plane/cross.h"
 #include "geometry/plane/locator.h"
 
 namespace deformlab {
@@ -30,10 +29,6 @@ std::string advice(const DrawingScene& scene, const Report& report) {
   return fmt::format("{}, or {}", text, report.advice.missed);
 }
 
-double signed_area(const Eigen::Matrix<double, 2, 3>& c) {
-  return cross(c.col(1) - c.col(0), c.col(2) - c.col(0)) / 2;
-}
-
 // The triangles that are turned inside out.
 struct Flipped {
   int count = 0;
@@ -45,15 +40,15 @@ struct Flipped {
 Flipped flipped(const Triangulation& rest, const Eigen::Matrix2Xd& V) {
   Flipped found;
   for (Eigen::Index f = 0; f < rest.F.cols(); ++f) {
-    const Eigen::Matrix<double, 2, 3> before = corners(rest.V, rest.F, f);
-    const double area = signed_area(before);
+    const Eigen::Vector3i t = rest.F.col(f);
+    const double area = signed_area(rest.V, t);
     found.all += std::abs(area);
-    if (!(area * signed_area(corners(V, rest.F, f)) < 0)) continue;
+    if (!(area * signed_area(V, t) < 0)) continue;
     ++found.count;
     found.area += std::abs(area);
     if (std::abs(area) <= found.largest) continue;
     found.largest = std::abs(area);
-    found.at = before.rowwise().mean();
+    found.at = rest.V(Eigen::all, t).rowwise().mean();
   }
   return found;
 }

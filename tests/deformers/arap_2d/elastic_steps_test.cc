@@ -137,6 +137,7 @@ TEST(ElasticSteps, AComponentThatIsOnlyMovedStaysAsTheTwoStepsLeaveIt) {
   steps.compile({BarycentricPoint::at_vertex(0)});
   steps.update(mesh.V.col(0) + way);
   EXPECT_TRUE(steps.positions().isApprox(mesh.V.colwise() + way, 1e-12));
+  EXPECT_EQ(steps.compilations(), 1) << "they are always compiled afresh";
   steps.reset();
   EXPECT_EQ(steps.positions(), mesh.V);
 }

@@ -31,21 +31,7 @@ class AnimateDrawingResumed : public AnimateDrawing {
     ASSERT_TRUE(exists("f-%02d.png.progress"));
   }
 
-  pid_t begin() const {
-    Words all = words("f-%02d.png");
-    all.insert(all.begin(), DEFORMLAB_PROGRAM_PATH);
-    std::vector<char*> argv;
-    for (std::string& word : all) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-      const bool ready = chdir(place("").c_str()) == 0 && dup2(open("/dev/null", O_WRONLY), 2) == 2;
-      alarm(120);
-      if (ready) execv(argv[0], argv.data());
-      _exit(127);
-    }
-    return child;
-  }
+  pid_t begin() const { return begin_program(place(""), words("f-%02d.png")); }
 };
 
 TEST_F(AnimateDrawingResumed, GoesOnToTheSameBytes) {
