@@ -45,8 +45,7 @@ struct DrawingOutputOptions {
         "resolution", o.resolution, {.min = 0, .max = 1e6},
         "The resolution of a PNG in pixels for each unit of length; 0 keeps that of an image "
         "or an SVG, with at most 4000 pixels along the longer side of an SVG, and gives polygons "
-        "and "
-        "meshes 1000 [pixel/length]");
+        "and meshes 1000 [pixel/length]");
     visit("page", o.page,
           "The page of a PNG or an SVG, and of the panels of a picture: that of the drawing, which "
           "grows where the shape leaves it (grow); always that of the drawing, so that what leaves "

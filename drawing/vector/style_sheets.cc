@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "drawing/vector/svg_values.h"
+#include "geometry/core/text.h"
 
 namespace deformlab {
 namespace {

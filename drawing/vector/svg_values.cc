@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "geometry/core/text.h"
+
 namespace deformlab {
 namespace {
 
@@ -55,13 +57,6 @@ class Pen {
 }  // namespace
 
 std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == text.npos) return "";
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
 
 std::vector<double> numbers(std::string_view text) {
   std::vector<double> values;

@@ -13,9 +13,6 @@ namespace deformlab {
 /// The name of an element without the prefix of its namespace.
 std::string_view local_name(std::string_view name);
 
-/// The text without white space around it.
-std::string_view trimmed(std::string_view text);
-
 // Readers of attributes in the form in which Cairo's SVG surface writes them.
 
 /// All numbers of a text with any separators: `matrix(1,0,0,1,5,6)`, `50%`, `3,4`.

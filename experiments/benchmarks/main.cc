@@ -127,18 +127,18 @@ std::string report(const std::string& comparisons, const std::string& growth,
          "another "
          "machine, the milliseconds do not.\n\n" +
          environment_markdown() +
-         section("Comparisons",
-                 "Each ratio says how many times as fast our way is as the other one. Both run in "
-                 "turns on one thread. The first number is the median over the pairs, and the "
-                 "smallest and the largest ratio stand in brackets. Times from rest count our "
-                 "compilation and Ceres' preprocessing. A drag counts only an update that follows "
-                 "another one, on a problem that Ceres keeps too; p50, p95 and p99 are of further "
-                 "drags, of "
-                 "which so many per cent took no longer. A step is the mean over a solve, "
-                 "without compilation and preprocessing. The scene is a bumpy plane of 201×201 "
-                 "vertices with 4,020 handles, of which one strip is lifted at once. A drawing is "
-                 "a shape of five arms with three handles.",
-                 comparisons) +
+         section(
+             "Comparisons",
+             "Each ratio says how many times as fast our way is as the other one. Both run in "
+             "turns on one thread. The first number is the median over the pairs, and the "
+             "smallest and the largest ratio stand in brackets. Times from rest count our "
+             "compilation and Ceres' preprocessing. A drag counts only an update that follows "
+             "another one, on a problem that Ceres keeps too; p50, p95 and p99 are of further "
+             "drags, of which so many per cent took no longer. A step is the mean over a solve, "
+             "without compilation and preprocessing. The scene is a bumpy plane of 201×201 "
+             "vertices with 4,020 handles, of which one strip is lifted at once. A drawing is "
+             "a shape of five arms with three handles.",
+             comparisons) +
          section("Growth, and a million vertices",
                  "A bumpy plane is deformed as in the scene above, by the default solver on one "
                  "thread. All times are medians, except that the registration runs once.",

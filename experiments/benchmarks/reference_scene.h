@@ -29,7 +29,8 @@ Shape bumpy_plane(int n);
 EmbeddedDeformation reference_deformation(int m, const SolverOptions& solver, double side = 0);
 
 /// CGAL's armadillo, of 26,002 vertices, with ten of them as handles, which are far from each
-/// other. Their targets are their positions. Throws InputError where libcgal-demo is not installed.
+/// other. One of them is pulled away by a tenth of the size. Throws InputError where libcgal-demo
+/// is not installed.
 const ReferenceScene& armadillo_scene();
 
 }  // namespace deformlab

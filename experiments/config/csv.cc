@@ -30,7 +30,7 @@ std::size_t find_comma(std::string_view line, std::size_t begin) {
 
 std::string_view unquoted(std::string_view field) {
   const bool is_quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
-  return is_quoted ? without_blanks(field.substr(1, field.size() - 2)) : field;
+  return is_quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
 // The next line without its end, which is taken from the text.
@@ -44,17 +44,11 @@ std::string_view next_line(std::string_view& text) {
 
 }  // namespace
 
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
-}
-
 void split_csv(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   for (std::size_t begin = 0;;) {
     const std::size_t comma = find_comma(line, begin);
-    fields.push_back(unquoted(without_blanks(line.substr(begin, comma - begin))));
+    fields.push_back(unquoted(trimmed(line.substr(begin, comma - begin))));
     if (comma == std::string_view::npos) return;
     begin = comma + 1;
   }
@@ -67,7 +61,7 @@ CsvTable::CsvTable(const std::filesystem::path& path, const std::vector<std::str
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(3);
   std::vector<std::string_view> fields;
   for (int line = 1; !text.empty(); ++line) {
-    const std::string_view content = without_blanks(next_line(text));
+    const std::string_view content = trimmed(next_line(text));
     if (content.empty()) continue;
     split_csv(content, fields);
     if (header_.empty()) {

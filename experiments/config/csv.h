@@ -8,9 +8,6 @@
 
 namespace deformlab {
 
-/// The text without blanks around it.
-std::string_view without_blanks(std::string_view text);
-
 /// Splits a line of a CSV file into fields, which are views of the line without the blanks and
 /// quotes around them.
 void split_csv(std::string_view line, std::vector<std::string_view>& fields);

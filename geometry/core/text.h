@@ -67,6 +67,9 @@ std::string quoted_ascii(std::string_view word);
 /// The word with ASCII letters in lower case.
 std::string lower_case(std::string_view word);
 
+/// The text without white space around it.
+std::string_view trimmed(std::string_view text);
+
 /// The number that the whole word states, rounded to the nearest double or float, or nothing where
 /// the word is not a number. A number that is too large becomes infinite.
 std::optional<double> to_number(std::string_view word);

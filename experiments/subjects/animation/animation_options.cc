@@ -39,8 +39,7 @@ void check_animation(const RunOptions& options, const RunContext& context) {
   if (o.keyframes.performed.given()) {
     throw InputError(
         "'poses', 'cursor', 'handles' and 'performance' are for drawings; an animation of a mesh "
-        "or "
-        "of particles takes 'keyframes'");
+        "or of particles takes 'keyframes'");
   }
   read_script(options.edit, o.keyframes);
 }

@@ -55,7 +55,7 @@ void ParticleReader::read_header() {
   while (read_line()) {
     between_ += line_ + ending_;
     if (line_.starts_with(kByteOrderMark)) line_.erase(0, 3);
-    if (!without_blanks(line_).empty()) break;
+    if (!trimmed(line_).empty()) break;
   }
   split_csv(line_, fields_);
   header_size_ = fields_.size();
@@ -92,7 +92,7 @@ std::int64_t ParticleReader::integer(int column) const {
 std::optional<ParticleRow> ParticleReader::next() {
   if (number_ > 0) between_.clear();
   while (read_line()) {
-    if (without_blanks(line_).empty()) {
+    if (trimmed(line_).empty()) {
       between_ += line_ + ending_;
       continue;
     }
